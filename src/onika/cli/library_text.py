@@ -15,7 +15,13 @@ from onika.words.reason import Reason
 _SHOWN = 20
 """Paths that are shown of each kind."""
 
-_KINDS = ("task", "configuration", "icon", "application", "world")
+_KINDS = {
+    "task": Reason.of("cli.library_kind_task"),
+    "configuration": Reason.of("cli.library_kind_configuration"),
+    "icon": Reason.of("cli.library_kind_icon"),
+    "application": Reason.of("cli.library_kind_application"),
+    "world": Reason.of("cli.library_kind_world"),
+}
 
 
 def is_fingerprint(text: str) -> bool:
@@ -75,9 +81,12 @@ def changed(name: str, changes: LibraryChanges) -> Iterator[Reason]:
         yield Reason.of("cli.library_same", library=name, version=changes.version)
         return
     yield Reason.of("cli.library_renewed", library=name, former=changes.former, version=changes.version)
-    for key, paths in (("added", changes.added), ("altered", changes.altered), ("gone", changes.gone)):
-        if paths:
-            yield Reason.of(f"cli.library_{key}_files", paths=_some(paths))
+    if changes.added:
+        yield Reason.of("cli.library_added_files", paths=_some(changes.added))
+    if changes.altered:
+        yield Reason.of("cli.library_altered_files", paths=_some(changes.altered))
+    if changes.gone:
+        yield Reason.of("cli.library_gone_files", paths=_some(changes.gone))
     for task, agreement in sorted((changes.further or {}).items()):
         names = tuple(sorted(agreement.writes | agreement.touches))
         yield Reason.of("cli.library_further", task=task, names=names)
@@ -85,8 +94,10 @@ def changed(name: str, changes: LibraryChanges) -> Iterator[Reason]:
 
 def entry(shown: LibraryEntry) -> Reason:
     """One thing that is offered."""
-    key = "cli.library_entry_new" if shown.is_new else "cli.library_entry"
-    return Reason.of(key, name=shown.name, kind=Reason.of(f"cli.library_kind_{shown.kind}"), says=shown.description)
+    kind, name, says = _KINDS[shown.kind], shown.name, shown.description
+    if shown.is_new:
+        return Reason.of("cli.library_entry_new", kind=kind, name=name, says=says)
+    return Reason.of("cli.library_entry", kind=kind, name=name, says=says)
 
 
 def _does(agreement: Agreement) -> Iterator[Reason]:

@@ -74,9 +74,9 @@ class LockedLibrary:
     """By tasks."""
 
 
-def read(text: str, name: str, place_file: str) -> tuple[tuple[LockedLibrary, ...] | None, tuple[Fault, ...]]:
+def read(text: str, _name: str, place_file: str) -> tuple[tuple[LockedLibrary, ...] | None, tuple[Fault, ...]]:
     """The libraries of a lock, all or none."""
-    reading = TextReading(place_file, Reason.of("files.no_lock", name=name), most_lines=4 * library_index.MOST_FILES)
+    reading = TextReading(place_file, Reason.of("files.no_lock"), most_lines=4 * library_index.MOST_FILES)
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
