@@ -1,7 +1,7 @@
 """A site: the search path of base directories and one user's own files, in which names are looked up (reading 11)."""
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -36,7 +36,7 @@ class Site:
     Reading gives what was found, or None, and all faults.
     """
 
-    directories: tuple[BaseDirectory, ...]
+    directories: Sequence[BaseDirectory]
     prefs: Path
     home: Path | None = None
     checkouts: tuple[Checkout, ...] = ()

@@ -5,7 +5,7 @@ import os
 import socket
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.button_commands import Commands
+from onika.desk.environment.outcome.library_services import LibraryServices
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
@@ -27,7 +28,12 @@ from onika.desk.environment.runs.readiness import ReadinessJudge
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.stations import Stations
 from onika.desk.environment.world_channel import WorldChannel
+from onika.store.live_path import LivePath
 from onika.store.mesh_folder import MeshFolder
+from onika.store.remote.library_access import LibraryAccess
+from onika.store.remote.lock_file import LockFile
+from onika.store.remote.object_cache import ObjectCache, cache_directory
+from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
 from onika.web.app import application
 from onika.web.hub import Hub
@@ -78,7 +84,8 @@ class EnvironmentProgram:
     """One environment from its beginning to its end; `state` is where diary and recovery are kept."""
 
     def __init__(self, site: Site, options: EnvironmentOptions, state: Path) -> None:
-        self._site = site
+        self._path = LivePath(site.directories)
+        self._site = replace(site, directories=self._path, fetcher=None)  # nobody waits for servers but its own thread
         self._options = options
         self._state = state
 
@@ -96,6 +103,7 @@ class EnvironmentProgram:
         reading, comparing = BackgroundWorker(tell, "reading"), BackgroundWorker(tell, "comparing")
         keeping, meshing = BackgroundWorker(tell, "keeping"), BackgroundWorker(tell, "meshing")
         forecaster = Forecaster(self._site, BackgroundWorker(tell, "forecast")) if self._options.foresees else None
+        remote = self._remote(BackgroundWorker(tell, "fetching"))
         surroundings = Services(
             self._site,
             time.monotonic,
@@ -105,6 +113,7 @@ class EnvironmentProgram:
             comparing=comparing,
             keeping=keeping,
             meshing=meshing,
+            remote=remote,
         )
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
@@ -140,9 +149,18 @@ class EnvironmentProgram:
             comparing.close()
             keeping.close()
             meshing.close()
+            if remote is not None:
+                remote.close()
             if diary is not None:
                 diary.close()
             self._leave(environment, surroundings, kept, autosave)
+
+    def _remote(self, worker: BackgroundWorker) -> LibraryServices | None:
+        """What acts on libraries of others need; None where the user has no base directory of his own to lock them."""
+        if self._site.own is None:
+            return None
+        access = LibraryAccess(ObjectCache(cache_directory(os.environ)), self._state)
+        return LibraryServices(worker, RemoteLibraries(LockFile(self._site.own), access), self._path)
 
     def _settings(self) -> Mapping[str, str]:
         """What the system says of this session, and what was asked for when it was begun."""

@@ -53,7 +53,11 @@ class EnvironmentFixture:
             keeping=BackgroundWorker(self.changes.put),
             meshing=BackgroundWorker(self.changes.put),
         )
-        self.environment = Environment(opened, HANDLERS, self.surroundings, self)
+        self.begin(opened)
+
+    def begin(self, model: Model) -> None:
+        """Begin anew with this model, among the surroundings as they are."""
+        self.environment = Environment(model, HANDLERS, self.surroundings, self)
         self.copy: dict[str, Any] = _plain(self.environment)
         self.environment.listeners.append(self)
 

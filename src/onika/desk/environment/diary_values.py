@@ -15,7 +15,7 @@ from onika.wire import act
 _PLACES = frozenset({"t", "doc", "step", "steps", "after", "test", "anchor"})
 """Told by the ids of the act's line."""
 
-_UNTOLD = frozenset({"token", "stamp"})
+_UNTOLD = frozenset({"token", "secret", "stamp"})
 """A secret, and what only the page knows of a text that it has read."""
 
 _LONGEST = 200

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from onika.desk.environment import buttons, diary, own_copies, own_undo, preferences
+from onika.desk.environment import buttons, diary, own_copies, own_undo, preferences, remote_libraries
 from onika.desk.environment.canvas import (
     check,
     clipboard,
@@ -108,6 +108,10 @@ HANDLERS: Mapping[type, Handler] = {
     act.GoBackToShipped: own_copies.go_back_to_shipped,
     act.ListReplaced: own_copies.replaced,
     act.BringBack: own_copies.bring_back,
+    act.ListRemoteLibraries: remote_libraries.list_remote_libraries,
+    act.BrowseLibrary: remote_libraries.browse_library,
+    act.TakeLibrary: remote_libraries.take_library,
+    act.DropLibrary: remote_libraries.drop_library,
     act.Copy: clipboard.copy,
     act.Cut: clipboard.cut,
     act.Paste: clipboard.paste,

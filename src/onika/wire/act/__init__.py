@@ -116,6 +116,12 @@ from onika.wire.act.parameter_set import (
     RemoveSet as RemoveSet,
     SwitchSet as SwitchSet,
 )
+from onika.wire.act.remote_library import (
+    BrowseLibrary as BrowseLibrary,
+    DropLibrary as DropLibrary,
+    ListRemoteLibraries as ListRemoteLibraries,
+    TakeLibrary as TakeLibrary,
+)
 from onika.wire.act.review import (
     CloseRecording as CloseRecording,
     CompareWith as CompareWith,
@@ -222,6 +228,10 @@ AnyAct = (
     | GoBackToShipped
     | ListReplaced
     | BringBack
+    | ListRemoteLibraries
+    | BrowseLibrary
+    | TakeLibrary
+    | DropLibrary
     | Connect
     | AddStation
     | RemoveStation

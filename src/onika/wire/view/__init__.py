@@ -44,6 +44,11 @@ from onika.wire.view.library import (
     PinView as PinView,
     TaskView as TaskView,
 )
+from onika.wire.view.remote_library import (
+    OfferEntryView as OfferEntryView,
+    OfferView as OfferView,
+    UsedLibraryView as UsedLibraryView,
+)
 from onika.wire.view.reply import (
     CandidateView as CandidateView,
     DraftView as DraftView,

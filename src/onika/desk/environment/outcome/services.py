@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from onika.desk.environment.outcome.button_commands import Commands
+from onika.desk.environment.outcome.library_services import LibraryServices
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.store.site import Site
 
@@ -23,6 +24,7 @@ class Services:
     comparing compares them
     keeping   keeps runs as tests; None: none is kept
     meshing   makes the meshes that a page draws; None: none are made
+    remote    what acts on libraries of others need; None: there are none
     """
 
     site: Site
@@ -34,3 +36,4 @@ class Services:
     comparing: BackgroundWorker | None = None
     keeping: BackgroundWorker | None = None
     meshing: BackgroundWorker | None = None
+    remote: LibraryServices | None = None

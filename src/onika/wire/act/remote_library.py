@@ -1,0 +1,33 @@
+"""What a user does with libraries of others (requirements F03, F06, X16)."""
+
+from onika.wire.act.act import Act
+
+
+class ListRemoteLibraries(Act, frozen=True):
+    """Ask which libraries of others are used; a tuple of `view.UsedLibraryView`."""
+
+
+class BrowseLibrary(Act, frozen=True):
+    """Look at a library at an address, whether it is used or not; the value is a `view.OfferView`. Nothing is kept."""
+
+    address: str
+    user: str = ""
+    """Who asks, where the server wants to know; without a name `secret` is a token."""
+    secret: str = ""
+
+
+class TakeLibrary(Act, frozen=True):
+    """Use what was looked at: its signer is trusted, and what its tasks write and touch is agreed to.
+
+    Where it is used already the newer version takes its place. What is fetched is run by nobody.
+    """
+
+    address: str
+    digest: str
+    """Of the index that was shown: anything else is refused."""
+
+
+class DropLibrary(Act, frozen=True):
+    """Use a library of others no longer; what was placed of it stays."""
+
+    library: str

@@ -1,0 +1,162 @@
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.labs.laboratory import Laboratory, job
+from kit.labs.library_server import LibraryServer
+from kit.labs.library_site import TODAY, LibrarySite, new_key, wink
+from onika.desk.environment.diary_values import given
+from onika.desk.environment.initial_model import opened
+from onika.desk.environment.outcome.library_services import LibraryServices
+from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.store.live_path import LivePath
+from onika.store.remote.checkout import is_fetched
+from onika.store.remote.library_access import LibraryAccess
+from onika.store.remote.lock_file import LockFile
+from onika.store.remote.object_cache import ObjectCache
+from onika.store.remote.remote_libraries import RemoteLibraries
+from onika.store.site import open_site
+from onika.wire import act
+from onika.wire.view import OfferView
+
+
+class LibraryDesk(EnvironmentFixture):
+    """An environment of a user who has a home and a cache."""
+
+    def __init__(self, folder: Path) -> None:
+        (folder / "home").mkdir(exist_ok=True)
+        site = open_site([], {"XDG_CACHE_HOME": str(folder / "cache")}, folder / "home")
+        path = LivePath(site.directories)
+        site = replace(site, directories=path)
+        model, _ = opened(site, None, {})
+        super().__init__(folder, (), model, site)
+        assert site.own is not None
+        access = LibraryAccess(ObjectCache(folder / "cache" / "onika"), folder / "state")
+        libraries = RemoteLibraries(LockFile(site.own), access)
+        remote = LibraryServices(BackgroundWorker(self.changes.put), libraries, path)
+        noon = datetime.combine(TODAY, datetime.min.time(), UTC).timestamp() + 43200
+        self.surroundings = replace(self.surroundings, remote=remote, calendar=lambda: noon)
+        self.begin(model)
+
+    def value(self, command: act.AnyAct):
+        answer = self.later(command)
+        assert answer.no is None, answer.no
+        return answer.value
+
+    def browse(self, site: LibrarySite) -> OfferView:
+        return self.value(act.BrowseLibrary(str(site.folder)))
+
+    def take(self, site: LibrarySite) -> str:
+        return self.value(act.TakeLibrary(str(site.folder), self.browse(site).digest))
+
+    def tasks(self) -> set[str]:
+        return set(self.environment.tree.tasks)
+
+
+@pytest.fixture
+def site(tmp_path) -> LibrarySite:
+    site = LibrarySite(tmp_path)
+    Laboratory(site.base).configuration("winkC", "wink 50")
+    Laboratory(site.base).application("evening", [job("winkC")])
+    site.publish(description="lamps")
+    return site
+
+
+@pytest.fixture
+def desk(tmp_path) -> LibraryDesk:
+    return LibraryDesk(tmp_path)
+
+
+def test_a_library_is_looked_at_and_nothing_is_kept_of_it(desk, site):  # R-F06
+    offer = desk.browse(site)
+    assert (offer.name, offer.version, offer.description, offer.used) == ("wings", 1, "lamps", 0)
+    assert [(entry.kind, entry.name) for entry in offer.entries] == [
+        ("application", "evening"),
+        ("configuration", "winkC"),
+        ("task", "wink"),
+    ]
+    assert offer.signer.startswith("SHA256:")
+    assert "wink" not in desk.tasks() and desk.value(act.ListRemoteLibraries()) == ()
+
+
+def test_what_is_taken_joins_the_session_with_its_code(desk, site):  # R-F03 R-C01
+    folder = desk.take(site)
+    tree = desk.environment.tree
+    assert "wink" in tree.tasks and folder in tree.libraries
+    assert is_fetched(Path(tree.tasks["wink"].code))
+    assert any(file.name == "evening" for file in tree.application_files.values())
+    assert any(file.name == "winkC" for file in tree.files.values())
+    doc = desk.new("wink")
+    assert "wink" in desk.environment.tree.documents[doc].tasks
+    (used,) = desk.value(act.ListRemoteLibraries())
+    assert (used.name, used.version, used.lacking, used.folder) == ("wings", 1, 0, folder)
+
+
+def test_an_application_of_ones_own_finds_what_was_taken_a_moment_ago(desk, site):  # R-F03
+    desk.take(site)
+    assert desk.site.configuration_file("winkC") is not None
+
+
+def test_what_was_shown_is_what_is_taken(desk, site):  # R-X16
+    offer = desk.browse(site)
+    site.write("module/wink.rmod", wink("LAMP", "Q_MEZ"))
+    site.publish()
+    no = desk.later(act.TakeLibrary(str(site.folder), offer.digest)).no
+    assert no is not None and no.reason.key == "desk.library_changed_meanwhile"
+    assert "wink" not in desk.tasks()
+
+
+def test_a_newer_version_shows_what_is_new_and_what_is_written_further(desk, site):  # R-X16
+    desk.take(site)
+    site.write("module/wink.rmod", wink("LAMP", "Q_MEZ"))
+    site.write("module/blink.rmod", wink(says="blinks"))
+    site.publish()
+    offer = desk.browse(site)
+    assert (offer.used, offer.version, offer.refusal) == (1, 2, None)
+    assert offer.further == (("wink", ("Q_MEZ",)),)
+    assert {entry.name for entry in offer.entries if entry.is_new} == {"wink", "blink"}
+    desk.take(site)
+    assert {"wink", "blink"} <= desk.tasks()
+
+
+def test_a_key_that_changed_is_told_and_refused(desk, site, tmp_path):  # R-X16
+    desk.take(site)
+    site.key = new_key(tmp_path, "other")
+    site.publish()
+    offer = desk.browse(site)
+    assert offer.refusal is not None and offer.refusal.key == "store.signer_other"
+    no = desk.later(act.TakeLibrary(str(site.folder), offer.digest)).no
+    assert no is not None and no.reason.key == "store.signer_other"
+
+
+def test_what_is_dropped_is_gone_from_all_lists(desk, site):  # R-F03
+    folder = desk.take(site)
+    desk.value(act.DropLibrary("wings"))
+    tree = desk.environment.tree
+    assert "wink" not in tree.tasks and folder not in tree.libraries
+    assert not any(file.name == "evening" for file in tree.application_files.values())
+    assert desk.site.configuration_file("winkC") is None
+    assert desk.no(act.DropLibrary("wings")).reason.key == "store.library_unknown"
+
+
+def test_a_library_is_there_again_in_the_next_session(desk, site, tmp_path):  # R-F03
+    desk.take(site)
+    assert "wink" in LibraryDesk(tmp_path).tasks()
+
+
+def test_a_password_is_asked_for_beside_its_place_and_not_written_down(desk, site):  # R-F03
+    with LibraryServer(site.folder, password="ann:secret") as server:
+        no = desk.later(act.BrowseLibrary(server.address)).no
+        assert no is not None and "secret" in no.fields
+        command = act.BrowseLibrary(server.address, "ann", "secret")
+        assert desk.value(command).name == "wings"
+        assert "secret" not in given(command, (), ())
+
+
+def test_an_environment_without_a_home_has_none(tmp_path):  # R-B07
+    desk = EnvironmentFixture(tmp_path)
+    for command in (act.ListRemoteLibraries(), act.BrowseLibrary("/x"), act.TakeLibrary("/x", ""), act.DropLibrary("x")):
+        assert desk.no(command).reason.key == "desk.no_remote_libraries"
