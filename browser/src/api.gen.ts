@@ -713,6 +713,32 @@ export interface SwitchSet {
   name: string;
 }
 
+/** Look at a library at an address, whether it is used or not; the value is a `view.OfferView`. Nothing is kept. */
+export interface BrowseLibrary {
+  t: 'BrowseLibrary';
+  address: string;
+  user?: string;
+  secret?: string;
+}
+
+/** Use a library of others no longer; what was placed of it stays. */
+export interface DropLibrary {
+  t: 'DropLibrary';
+  library: string;
+}
+
+/** Ask which libraries of others are used; a tuple of `view.UsedLibraryView`. */
+export interface ListRemoteLibraries {
+  t: 'ListRemoteLibraries';
+}
+
+/** Use what was looked at: its signer is trusted, and what its tasks write and touch is agreed to. Where it is used already the newer version takes its place. What is fetched is run by nobody. */
+export interface TakeLibrary {
+  t: 'TakeLibrary';
+  address: string;
+  digest: string;
+}
+
 /** Put the recording away; what runs now is shown again. */
 export interface CloseRecording {
   t: 'CloseRecording';
@@ -1467,6 +1493,44 @@ export interface TaskView {
   file?: string;
 }
 
+/** One thing that a library offers: a task, configuration, icon, application or world. */
+export interface OfferEntryView {
+  kind: string;
+  name: string;
+  description?: string;
+  rows?: (string)[];
+  writes?: (string)[];
+  touches?: (string)[];
+  is_new?: boolean;
+}
+
+/** A library as its place has it now. */
+export interface OfferView {
+  address: string;
+  name: string;
+  version: number;
+  until: string;
+  signer: string;
+  digest: string;
+  description?: string;
+  entries?: (OfferEntryView)[];
+  used?: number;
+  further?: ([string, (string)[]])[];
+  refusal?: Reason | null;
+}
+
+/** A library of others that is used. */
+export interface UsedLibraryView {
+  name: string;
+  address: string;
+  signer: string;
+  trusted: string;
+  version: number;
+  until: string;
+  folder: string;
+  lacking?: number;
+}
+
 /** A task that could stand for another one; with `reasons` it cannot. */
 export interface CandidateView {
   name: string;
@@ -2117,6 +2181,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | AddStation | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | Connect | AddStation | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;
