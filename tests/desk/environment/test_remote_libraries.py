@@ -158,5 +158,6 @@ def test_a_password_is_asked_for_beside_its_place_and_not_written_down(desk, sit
 
 def test_an_environment_without_a_home_has_none(tmp_path):  # R-B07
     desk = EnvironmentFixture(tmp_path)
-    for command in (act.ListRemoteLibraries(), act.BrowseLibrary("/x"), act.TakeLibrary("/x", ""), act.DropLibrary("x")):
+    browse, take = act.BrowseLibrary("/x"), act.TakeLibrary("/x", "")
+    for command in (act.ListRemoteLibraries(), browse, take, act.DropLibrary("x")):
         assert desk.no(command).reason.key == "desk.no_remote_libraries"
