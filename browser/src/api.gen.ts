@@ -1834,6 +1834,7 @@ export interface RunView {
   black_box?: string;
   repeats_until_s?: number;
   steps_by_task?: Record<string, (number)[]>;
+  station?: string;
 }
 
 /** What has become of a step of the application in this run. */

@@ -2,11 +2,12 @@
 import { act } from '../act/act'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
+import { stationsIn } from '../link/stations'
 import { closeDialog, dialogs, openDialog } from '../state/dialogs.svelte'
 import { everything, onlyWatches } from '../holding/standing.svelte'
 import { t } from '../texts/index.svelte'
 
-const isThere = (): boolean => desk.live.runtime.state === 'linked'
+const isThere = (): boolean => stationsIn(desk.live).some(([, runtime]) => runtime.state === 'linked')
 const offer = () => everything().find((held) => held.isOfferedHere)
 
 command({
@@ -22,14 +23,14 @@ command({
   group: 'run',
   title: () => t('holding.accept'),
   when: () => offer() !== undefined,
-  run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]! }),
+  run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]!, station: offer()!.station }),
 })
 command({
   id: 'run.decline',
   group: 'run',
   title: () => t('holding.decline'),
   when: () => offer() !== undefined,
-  run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]! }),
+  run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]!, station: offer()!.station }),
 })
 command({
   id: 'run.watch',

@@ -4,6 +4,7 @@ import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
+import { stoppedIn } from '../link/stations'
 import { closeLast, isSomethingOpen } from '../state/layers'
 import { canvas } from '../state/canvas.svelte'
 import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dialogs.svelte'
@@ -11,7 +12,7 @@ import { look, THEMES } from '../state/look.svelte'
 import { goTo, shownDocument, shownId, shownOne, step, toRedo, toUndo } from '../act/documents.svelte'
 import { openBlank, save } from '../act/opening'
 import { checkMemory, saveReadings } from '../monitor/memory'
-import { stopEverything } from '../shell/stopping'
+import { allowMotion, stopEverything } from '../shell/stopping'
 import { startTutorial } from '../help/tutorial.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -192,8 +193,8 @@ command({
   id: 'run.reset',
   group: 'run',
   title: () => t('stop.reset'),
-  when: () => desk.tree.runtime.is_stopped === true,
-  run: () => act({ t: 'Reset' }),
+  when: () => stoppedIn(desk.tree).length > 0,
+  run: allowMotion,
 })
 command({
   id: 'run.connect',

@@ -2,6 +2,7 @@
 import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
 import { desk, runsIn } from '../link/desk.svelte'
+import { worldsIn } from '../link/stations'
 import { canvas, type StripTab } from '../state/canvas.svelte'
 import { watchAgain } from '../values/frames'
 import { takenAsks } from '../holding/held'
@@ -69,8 +70,7 @@ command({
   run: () => (look.isInside = !look.isInside),
 })
 
-const firstWorld = (): string | undefined =>
-  Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
+const firstWorld = (): string | undefined => worldsIn(desk.tree).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
   return desk.live.review

@@ -6,6 +6,8 @@ export interface Held {
   /** What it is called: the application, else the subsystem. */
   name: string
   subsystems: string[]
+  /** Where it lives; empty: at the first station. */
+  station: string
   /** Whether an application runs in it. */
   isRun: boolean
   /** Whether it is the run that this environment began. */
@@ -39,7 +41,8 @@ export const meIn = (runtime: RuntimeView): string =>
   Object.entries(runtime.sessions ?? {}).find(([, session]) => session.is_you)?.[0] ?? ''
 
 /** Everything that lives on a runtime; `own` are the flows of the run of this environment. */
-export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly string[]): Held[] {
+export function heldIn(runtime: RuntimeView, all: Documents, own: readonly string[], station = ''): Held[] {
+  const documents = Object.fromEntries(Object.entries(all).filter(([, doc]) => (doc.station ?? '') === station))
   const me = meIn(runtime)
   const rows = new Map<string, Held>()
   for (const [subsystem, hold] of Object.entries(runtime.holds ?? {})) {
@@ -51,12 +54,18 @@ export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly
       row.subsystems.push(subsystem)
       Object.assign(row.asks, asksIn(subsystem, hold))
       if (hold.state && !row.states.includes(hold.state)) row.states.push(hold.state)
-    } else rows.set(key, heldOf(subsystem, hold, documents, own, me))
+    } else rows.set(key, { ...heldOf(subsystem, hold, documents, own, me), station })
   }
   return [...rows.values()]
 }
 
-function heldOf(subsystem: string, hold: HoldView, documents: Documents, own: readonly string[], me: string): Held {
+function heldOf(
+  subsystem: string,
+  hold: HoldView,
+  documents: Documents,
+  own: readonly string[],
+  me: string,
+): Omit<Held, 'station'> {
   const home = Object.entries(documents).find(([, doc]) => doc.connection === 'live' && doc.subsystem === subsystem)
   const holder = hold.holder ?? ''
   return {

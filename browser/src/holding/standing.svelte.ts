@@ -1,18 +1,29 @@
 // Who holds what, as the page knows it now; and a clock for what ends by itself.
 import { desk, runsIn } from '../link/desk.svelte'
+import { stationsIn } from '../link/stations'
+import type { RuntimeView, SessionView } from '../api.gen'
 import { heldIn, meIn, type Held } from './held'
 
-const own = (): string[] =>
+const own = (station: string): string[] =>
   runsIn(desk.now)
-    .filter((run) => run.state !== 'over')
+    .filter((run) => run.state !== 'over' && (run.station ?? '') === station)
     .flatMap((run) => Object.keys(run.flows ?? {}))
 
-export const everything = (): Held[] => heldIn(desk.live.runtime, desk.live.documents, own())
+/** Everything that lives at all stations, those of the first one ahead. */
+export const everything = (): Held[] =>
+  stationsIn(desk.live).flatMap(([station, runtime]) => heldIn(runtime, desk.live.documents, own(station), station))
 export const me = (): string => meIn(desk.live.runtime)
-export const onlyWatches = (): boolean =>
-  Object.values(desk.live.runtime.sessions ?? {}).some((session) => session.is_you && session.only_watches)
-export const isViewer = (): boolean =>
-  Object.values(desk.live.runtime.sessions ?? {}).some((session) => session.is_you && session.role === 'viewer')
+const isMarked = (runtime: RuntimeView, is: (session: SessionView) => boolean): boolean =>
+  Object.values(runtime.sessions ?? {}).some((session) => session.is_you && is(session))
+/** Whether nothing may be changed at a station. */
+export const mayChangeAt = (runtime: RuntimeView): boolean =>
+  !isMarked(runtime, (session) => session.only_watches === true || session.role === 'viewer')
+export const onlyWatches = (runtime: RuntimeView = desk.live.runtime): boolean =>
+  isMarked(runtime, (session) => session.only_watches === true)
+export const isViewer = (runtime: RuntimeView = desk.live.runtime): boolean =>
+  isMarked(runtime, (session) => session.role === 'viewer')
+/** The station that an act names; the first one is not named. */
+export const at = (station: string): { station?: string } => (station ? { station } : {})
 
 /** Seconds since 1970, once a second while somebody looks at it. */
 export const now: { s: number } = $state({ s: Date.now() / 1000 })
@@ -25,4 +36,4 @@ export function tick(): () => void {
 
 /** Losses that were put aside, by subsystem and time. */
 export const putAside: { keys: string[] } = $state({ keys: [] })
-export const keyOf = (held: Held): string => `${held.subsystems[0]}@${held.since}`
+export const keyOf = (held: Held): string => `${held.station}/${held.subsystems[0]}@${held.since}`

@@ -3,6 +3,7 @@ import { act } from '../act/act'
 import { announce } from '../state/announce'
 import type { Align } from '../api.gen'
 import { desk } from '../link/desk.svelte'
+import { runtimeAt } from '../link/stations'
 import { canvas, pick } from '../state/canvas.svelte'
 import { openDialog } from '../state/dialogs.svelte'
 import { note as tell } from '../link/note'
@@ -79,7 +80,7 @@ export function placeInMiddle(task: string): void {
 }
 
 export const unitsAlive = (): string[] =>
-  Object.entries(desk.tree.runtime.units ?? {})
+  Object.entries(runtimeAt(desk.tree, desk.tree.documents[canvas.doc]?.station).units ?? {})
     .filter(([, unit]) => !unit.is_lost)
     .map(([name]) => name)
     .sort()

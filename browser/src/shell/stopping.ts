@@ -1,5 +1,6 @@
 // Stop is sent whatever else is going on; where nobody hears it, that is said aloud, and it goes out with the first
 // chance: to stop late harms nobody.
+import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { desk } from '../link/desk.svelte'
 import { hear, send } from '../link/link'
@@ -19,6 +20,11 @@ export function stopEverything(): void {
   stopRequest.isUnsent = true
   announce(t('stop.unheard'))
   showRefusal(new Refusal(plain(t('stop.unheard'))), { x: window.innerWidth, y: 40 })
+}
+
+/** Motion is allowed again wherever all is stopped. */
+export function allowMotion(): Promise<unknown> {
+  return act({ t: 'Reset', ...(Object.keys(desk.live.stations).length ? { is_everywhere: true } : {}) })
 }
 
 async function ask(): Promise<void> {

@@ -1,5 +1,6 @@
 // Whether the lamps of the simulated workcell shine, where a workcell tells it.
 import { desk } from '../link/desk.svelte'
+import { worldsIn } from '../link/stations'
 import { onFrame, poses, watchWorld } from '../values/frames'
 import { send } from '../link/link'
 import { hasLamp, isLit, worldOf } from '../values/world'
@@ -7,7 +8,7 @@ import { hasLamp, isLit, worldOf } from '../values/world'
 /** Watch the workcells while whoever calls it is shown; call it where effects may be made. */
 export function lamp(): { readonly isLit: boolean | undefined } {
   let lit: boolean | undefined = $state()
-  const worlds = $derived(Object.keys(desk.tree.runtime.worlds ?? {}).join('\n'))
+  const worlds = $derived(worldsIn(desk.tree).join('\n'))
   $effect(() => {
     const names = worlds ? worlds.split('\n') : []
     const lamps = new Set<string>()

@@ -163,3 +163,5 @@ class RunView(View, frozen=True):
     """Up to when it is a recorded run again, before it goes on as it is steered; 0: it is a run of its own."""
     steps_by_task: dict[str, tuple[int, ...]] = field(default_factory=dict)
     """By `SUBSYSTEM/TASK`: the steps of the application in which it is ON."""
+    station: str = ""
+    """Where it is carried out; empty: at the first station."""

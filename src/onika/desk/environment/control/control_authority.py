@@ -31,7 +31,10 @@ def stop(model: Model, _asked: act.Stop, _outside: Services) -> Procedure:
     model, response = yield Ask(model.at(first), wish, orders=others)
     if not isinstance(response, request.Done):
         return Done(model, value=Reason.of("run.nothing_to_stop", why=refusal(response)))
-    return Done(model, value=Reason.of("run.stop_unheard", stations=cut) if cut else None)
+    if not cut:
+        return Done(model)
+    unheard = Reason.of("run.stop_unheard", stations=cut)
+    return Done(model, value=unheard, says=(page.Say("warning", unheard),))
 
 
 def _stopped_at(model: Model, response: request.Response, name: str) -> Done:

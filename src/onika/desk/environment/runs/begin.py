@@ -236,7 +236,8 @@ def _without_it(model: Model, before: Model) -> Model:
 
 def _new(model: Model, start: _Start) -> Run:
     run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.wording)
-    run = replace(run, durations=start.durations, station=model.station).shown(recording=start.record)
+    run = replace(run, durations=start.durations, station=model.station)
+    run = run.shown(recording=start.record, station=model.station)
     for note in start.notes:
         run = run.noted(note)
     return run

@@ -1,0 +1,26 @@
+// The stations of the environment: runtimes with which it is connected, each by its name; that of the first is empty.
+import type { RuntimeView } from '../api.gen'
+import type { FullTree } from './desk.svelte'
+
+export type Station = [name: string, runtime: RuntimeView]
+
+export const stationsIn = (tree: FullTree): Station[] => [['', tree.runtime], ...Object.entries(tree.stations)]
+
+export const runtimeAt = (tree: FullTree, station = ''): RuntimeView =>
+  station ? (tree.stations[station] ?? {}) : tree.runtime
+
+/** All worlds that are open, as they are named beside each other: `boxes`, at another station `cmu/boxes`. */
+export const worldsIn = (tree: FullTree): string[] =>
+  stationsIn(tree).flatMap(([station, runtime]) =>
+    Object.keys(runtime.worlds ?? {}).map((world) => (station ? `${station}/${world}` : world)),
+  )
+
+/** The station of a world that is so named, and its name there. */
+export function worldAt(name: string): [station: string, world: string] {
+  const at = name.lastIndexOf('/')
+  return at < 0 ? ['', name] : [name.slice(0, at), name.slice(at + 1)]
+}
+
+/** The stations at which all is stopped. */
+export const stoppedIn = (tree: FullTree): Station[] =>
+  stationsIn(tree).filter(([, runtime]) => runtime.is_stopped === true)
