@@ -94,10 +94,10 @@ class Lab:
         """The states of tasks in the order in which the runtime tells them from now on."""
         states, receive = [], self.environment.receive
 
-        def hear(message):
+        def hear(message, station=""):
             if isinstance(message, event.TaskState):
                 states.append((message.task, message.state))
-            receive(message)
+            receive(message, station)
 
         self.environment.receive = hear
         return states

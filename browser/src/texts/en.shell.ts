@@ -279,6 +279,7 @@ export const enShell = {
   'library.place': 'Place it in the middle',
   'library.objection': 'would not run',
   'library.faults': '{n} file left out|{n} faults in files',
+  'stations.onAt': 'It is on at {name}',
   'stations.title': 'Stations',
   'stations.first': 'here',
   'stations.linked': 'is there',

@@ -282,6 +282,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'library.place': 'Colocarla en el centro',
   'library.objection': 'no funcionaría',
   'library.faults': '{n} archivo excluido|{n} faltas en archivos',
+  'stations.onAt': 'Está en marcha en {name}',
   'stations.title': 'Estaciones',
   'stations.first': 'aquí',
   'stations.linked': 'está',

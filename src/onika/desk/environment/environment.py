@@ -22,7 +22,7 @@ from onika.desk.environment.reconcile import following
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.station_focus import located, station_of
+from onika.desk.environment.station_focus import located, of_station, station_of
 from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
@@ -124,7 +124,7 @@ class Environment:
     def receive(self, message: event.Event, station: str = "") -> None:
         """The runtime of a station has told something."""
         if station in self.model.stations:
-            self._adopt(following.after_event(self.model.at(station), message, self._surroundings), "")
+            self._adopt(of_station(following.after_event(self.model.at(station), message, self._surroundings)), "")
 
     def become(self, change: Callable[[Model], Done], station: str = "") -> None:
         """A change from outside: a file, a link to a station, a command that ended."""

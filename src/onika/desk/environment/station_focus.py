@@ -5,10 +5,11 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.state.model import Model
-from onika.wire import act
+from onika.wire import act, page
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 
 def station_of(model: Model, command: act.AnyAct) -> str:
@@ -29,6 +30,18 @@ def located(refusal: No, station: str) -> No:
     if not station:
         return refusal
     return replace(refusal, remedies=tuple(_located(remedy, station) for remedy in refusal.remedies))
+
+
+def of_station(done: Done) -> Done:
+    """What a station has told, with its name in the lines that name no file; those of the first are as they were."""
+    station = done.model.station
+    if not station or not done.says:
+        return done
+    return replace(done, says=tuple(say if say.doc else _named(say, station) for say in done.says))
+
+
+def _named(say: page.Say, station: str) -> page.Say:
+    return structs.replace(say, text=Reason.of("run.what_why", what=station, why=say.text))
 
 
 def _located(remedy: Remedy, station: str) -> Remedy:

@@ -163,9 +163,9 @@ class Real:
         self.environment = Environment(model, HANDLERS, outside, self.station)
         receive = self.environment.receive
 
-        def listen(message: event.Event) -> None:
+        def listen(message: event.Event, station: str = "") -> None:
             self.results += [message] if isinstance(message, event.Result) else []
-            receive(message)
+            receive(message, station)
 
         self.environment.receive = listen
         self.station.begin(self.environment)

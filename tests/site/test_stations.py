@@ -1,0 +1,161 @@
+"""Three real runtimes at one environment, one of them cut off: the others lose nothing, and are as quick (F02)."""
+
+import contextlib
+import os
+import queue
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from kit.labs.small_tasks import small_laboratory
+from onika.desk.environment.environment import Environment
+from onika.desk.environment.handlers import HANDLERS
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.stations import Stations
+from onika.store.library import open_libraries
+from onika.store.site import open_site
+from onika.wire import act, event
+
+pytestmark = pytest.mark.site
+
+PATIENCE_S = 60.0
+TURNS = 20
+NAMES = ("pittsburgh", "albuquerque", "livermore")
+
+
+class There:
+    """A runtime alone, which listens on loopback."""
+
+    def __init__(self, folder):
+        words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo", "--rtpu", "rt0"]
+        self.process = subprocess.Popen(
+            words, stdout=subprocess.PIPE, text=True, env=os.environ | {"XDG_STATE_HOME": str(folder)}
+        )
+        match = re.search(r"listening on (\S+), token in (.*)$", self.process.stdout.readline())
+        self.url, self.token = match[1], Path(match[2]).read_text().strip()
+
+    def cut(self):
+        """Nothing of it is heard, as with a line that is cut, until it is `mended`."""
+        self.process.send_signal(signal.SIGSTOP)
+
+    def mended(self):
+        self.process.send_signal(signal.SIGCONT)
+
+    def end(self):
+        self.mended()
+        self.process.terminate()
+        self.process.wait(20)
+        self.process.stdout.close()
+
+
+class Sites:
+    """An environment with three stations, and at each a configuration of which one task is turned ON and OFF."""
+
+    def __init__(self, folder):
+        lab = small_laboratory(folder / "bench")
+        site = open_site([lab.path], {}, None)
+        self.there = {name: There(folder / name) for name in NAMES}
+        self.things, self.says, self.heard = queue.Queue(), [], []
+        self.stations = Stations(RuntimeLauncher(), self.things.put, time.monotonic)
+        model = Model(OpenLibraries(open_libraries(site.directories)))
+        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.stations)
+        self.environment.listeners.append(self)
+        self.stations.begin(self.environment)
+        receive = self.environment.receive
+
+        def hear(message, station=""):
+            if isinstance(message, event.TaskState):
+                self.heard.append((station, message.state))
+            receive(message, station)
+
+        self.environment.receive = hear
+        self.docs = {}
+        for name, there in self.there.items():
+            self.do(act.AddStation(there.url, there.token, name))
+            self.docs[name] = self.do(act.New())
+            self.do(act.Place(self.docs[name], "wave", 0, 0))
+            self.do(act.Connect(self.docs[name], station=name))
+            self.until(lambda name=name: self.state(name) == "OFF")
+
+    def patch(self, patch):
+        pass
+
+    def say(self, say):
+        self.says.append(say)
+
+    def do(self, wish):
+        given = []
+        self.environment.do(wish, "me", given.append)
+        self.until(lambda: given)
+        assert given[0].no is None, given[0].no
+        return given[0].value
+
+    def until(self, reached):
+        end = time.monotonic() + PATIENCE_S
+        while not reached():
+            assert time.monotonic() < end, f"it did not come; said was {[str(say.text) for say in self.says[-5:]]}"
+            with contextlib.suppress(queue.Empty):
+                self.things.get(timeout=0.05)()
+
+    def state(self, name):
+        return self.environment.tree.documents[self.docs[name]].tasks["wave"].state
+
+    def turned(self, name):
+        """Turn the task at a station; how long it took until its state was told, in s."""
+        wanted = "OFF" if self.state(name) == "ON" else "ON"
+        begin = time.monotonic()
+        self.do(act.Toggle(self.docs[name], "wave"))
+        self.until(lambda: self.state(name) == wanted)
+        return time.monotonic() - begin
+
+    def end(self):
+        self.stations.end()
+        for there in self.there.values():
+            there.end()
+
+
+@pytest.fixture
+def sites(tmp_path):
+    sites = Sites(tmp_path)
+    yield sites
+    sites.end()
+
+
+def test_where_one_of_three_runtimes_is_cut_off_the_others_lose_nothing_and_stop_at_once(sites):  # R-F02, law 27
+    sites.turned("livermore")
+    sites.there["livermore"].cut()
+    sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
+    sites.heard.clear()
+    for _ in range(TURNS):
+        for name in NAMES[:2]:
+            sites.turned(name)
+    told = [(name, state) for _ in range(TURNS // 2) for state in ("ON", "OFF") for name in NAMES[:2]]
+    assert sites.heard == told
+    begin = time.monotonic()
+    answer = sites.do(act.Stop())
+    sites.until(lambda: all(sites.environment.tree.stations[name].is_stopped for name in NAMES[:2]))
+    assert time.monotonic() - begin < 1.0 and "livermore" in str(answer)
+    sites.there["livermore"].mended()
+    sites.until(lambda: sites.environment.tree.stations["livermore"].is_stopped)
+
+
+@pytest.mark.slow
+def test_the_others_are_as_quick_as_with_three_that_are_heard(sites):  # R-F02
+    def slowest():
+        took = sorted(sites.turned(name) for _ in range(150) for name in NAMES[:2])
+        return took[len(took) // 2], took[len(took) * 99 // 100]
+
+    before, p99_before = slowest()
+    sites.there["livermore"].cut()
+    sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
+    during, p99_during = slowest()
+    figures = [round(seconds * 1e3, 1) for seconds in (before, during, p99_before, p99_during)]
+    assert during <= 1.1 * before + 1e-3 and p99_during <= 1.1 * p99_before + 5e-3, figures
