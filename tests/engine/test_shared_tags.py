@@ -51,6 +51,7 @@ def test_flows_wait_at_a_shared_tag_until_others_agree():  # R-E04, R-F02
     switch = Switch(0, (), (GRIP_ON,))
     assert orders[-1] == Convene("x", (0,), (switch,))
     assert made.positions()[0].state == "waiting"
+    assert str(orders[-2].text) == "waits for flows of other runtimes"
     assert without_notes(made.feed(Agreed("x", 4))) == [Switch(0, (), (GRIP_ON,), (), 4)]
     assert made.positions()[0].state == "running"
 

@@ -1,5 +1,9 @@
 """Flows of one application on two runtimes meet at tags: real processes, real datagrams, lines that are cut."""
 
+import signal
+from random import Random
+from time import monotonic
+
 import pytest
 from msgspec.structs import replace
 
@@ -26,6 +30,31 @@ class Clock(Module):
         return finish() if self._left <= 0 else None
 """
 PATIENCE_S = 30.0
+BEGINS_APART_S = 0.04
+"""By how much the begins of the two runs, one asked for after the other, may be apart; no step is as short."""
+
+
+HAND = """
+from onika.module import InVar, Module, OutVar
+
+class Hand(Module):
+    hardware = True
+    GRIP = InVar("double", "-", "+1 opens, -1 closes")
+    GRIP_MEZ = OutVar("double[3]", "m,m/s,N", "opening, its speed, force on a finger")
+
+    def cycle(self):
+        self.GRIP_MEZ = self.device.read()
+        self.device.write((self.GRIP,))
+"""
+GRIP = """
+from onika.module import Module, OutVar
+
+class Grip(Module):
+    GRIP = OutVar("double", "-", "+1 opens, -1 closes")
+
+    def cycle(self):
+        self.GRIP = 1.0
+"""
 
 
 def plan(site, actions):
@@ -44,6 +73,17 @@ def meeting(tmp_path_factory):
     running = Meeting(tmp_path_factory.mktemp("meeting"))
     yield running
     assert "Traceback" not in running.close()
+
+
+def gripping(site):
+    """One action that begins at the tag, in which a hand is driven for ten seconds."""
+    shop = PlanBuilder()
+    shop.task("clock", CLOCK, frequency=100.0)
+    shop.task("hand", HAND, frequency=250.0, local={"DEVICE": "boxes:gripper_left"})
+    shop.task("grip", GRIP, frequency=250.0)
+    whole = shop.plan([action("hand", "grip", "clock", arguments="1000")])
+    flow = replace(whole.flows[0], subsystem=f"flow{site}", program=(Meet("x"), Do(0), Halt()))
+    return replace(whole, flows=(flow,))
 
 
 def begun(meeting):
@@ -102,6 +142,75 @@ def test_who_is_let_pass_goes_on_and_has_been_there(meeting):  # R-E13
     assert completed(meeting) == [True, True]
 
 
+def cut_at_random(meeting, random, count):
+    """Cut the line at random moments, one or both directions, and clear whatever is held; how often that was done."""
+    cuts = 0
+    while cuts < count and len(completed(meeting)) < 2:
+        meeting.listen(random.uniform(0.02, 0.4))
+        lines = random.choice(([0], [1], [0, 1]))
+        for line in lines:
+            meeting.lines[line].is_cut = True
+        meeting.listen(random.choice((0.03, 0.1, 0.3)))
+        for line in lines:
+            meeting.lines[line].is_cut = False
+        cuts += 1
+        for number, runtime in enumerate(meeting.runtimes):
+            runtime.ask(steer.Recover(f"flow{number}"))
+    return cuts
+
+
+def alone_for(meeting):
+    """How long each flow that was held had been begun, in s."""
+    began, alone = {}, []
+    for number, message in meeting.events:
+        if isinstance(message, event.Began):
+            began[number] = message.at_s
+        if isinstance(message, event.Moved) and message.state == "stopped":
+            alone.append(message.at_s - began[number])
+    return alone
+
+
+def nobody_is_ahead(meeting):
+    """Whether no flow has begun a step before the other one has begun that before it; in seconds of each run."""
+    first = {0: {}, 1: {}}
+    for number, message in meeting.of(event.Began):
+        first[number].setdefault(message.index, message.at_s)
+    pairs = [(first[site], first[1 - site]) for site in range(2)]
+    return all(
+        step - 1 in other and at_s > other[step - 1] - BEGINS_APART_S
+        for own, other in pairs
+        for step, at_s in own.items()
+        if step
+    )
+
+
+def cuts(meeting, seed, count):
+    """Meet while the line is cut so often; how long those were alone who began alone."""
+    random, done, alone = Random(seed), 0, []
+    while done < count:
+        meeting.link(plan(0, 40), plan(1, 40))
+        meeting.begin()
+        done += cut_at_random(meeting, random, min(25, count - done))
+        for runtime in meeting.runtimes:
+            runtime.ask(request.Abort(Reason.plain("enough")))
+        meeting.listen(PATIENCE_S)
+        assert nobody_is_ahead(meeting)
+        alone += alone_for(meeting)
+    return alone
+
+
+def test_whoever_begins_alone_is_held_in_time_whenever_the_line_is_cut(meeting):  # R-F02, decision 56
+    alone = cuts(meeting, 1, 8)
+    assert all(seconds <= meeting.alone_s + 0.05 for seconds in alone)  # told by a program that others keep waiting
+
+
+@pytest.mark.slow
+def test_whoever_begins_alone_is_held_in_time_in_two_hundred_cuts(meeting):  # R-F02, decision 56
+    alone = cuts(meeting, 2, 200)
+    assert alone
+    assert max(alone) <= meeting.alone_s + 0.01
+
+
 def test_a_stop_of_one_runtime_stops_the_other(meeting):  # law 27
     meeting.link(plan(0, 1), plan(1, 1))
     meeting.lines[0].is_cut = True
@@ -112,3 +221,25 @@ def test_a_stop_of_one_runtime_stops_the_other(meeting):  # law 27
     assert completed(meeting) == [False, False]
     for runtime in meeting.runtimes:
         runtime.ask(live.Reset())
+
+
+def test_a_frozen_program_keeps_no_lone_arm_moving(tmp_path):  # law 34, R-F02
+    meeting = Meeting(tmp_path, way=lambda: 0.06)
+    try:
+        meeting.link(gripping(0), gripping(1))
+        meeting.begin()
+        frozen, other = meeting.runtimes
+        while not meeting.of(event.Began):
+            meeting.events += [(0, message) for message in frozen.client.events(0.001)]
+        frozen.process.send_signal(signal.SIGSTOP)  # before anything of the other can have come
+        until = monotonic() + 4 * meeting.alone_s
+        while monotonic() < until:
+            other.client.events(0.05)
+        frozen.process.send_signal(signal.SIGCONT)
+        meeting.listen(1.0)
+        drives = {message.state: message for number, message in meeting.of(event.Drive) if number == 0}
+        driven_s = (drives["HELD"].at_ns - drives["DRIVEN"].at_ns) * 1e-9
+        assert driven_s <= meeting.alone_s + 0.02  # of the world's time, in steps of its own
+        assert "nobody said in time" in " ".join(str(message.text) for _, message in meeting.of(event.Failed))
+    finally:
+        meeting.close()

@@ -190,6 +190,8 @@ class FlowRouter:
         text = NOTHING
         if ended and flow.state is FlowState.WAITING:
             text = Reason.of("engine.will_not_come", flows=tuple(ended))
+        elif not absent and flow.state is FlowState.WAITING:
+            text = Reason.of("engine.waits_for_other_runtimes")
         return flow.moved(self.meetings.waits_at(flow.flow), tuple(absent), text)
 
     def waits_for(self, flow: Progress) -> list[int]:

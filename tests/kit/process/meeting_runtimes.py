@@ -3,6 +3,7 @@
 They are launched as an environment elsewhere would reach them; datagrams from one to another go through a `CutLine`.
 """
 
+import heapq
 import os
 import secrets
 import select
@@ -10,10 +11,12 @@ import socket
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from time import monotonic
 
 from onika.desk.run.remote_runtime import RemoteRuntime
+from onika.engine.rendezvous_terms import RendezvousTerms
 from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, request
@@ -28,13 +31,18 @@ from onika.wire.rendezvous_link import (
     SharedTag,
 )
 
+Way = Callable[[], float | None]
+"""For how many seconds a datagram is under way; None: it is lost."""
+
 
 class CutLine:
     """Passes datagrams on to a port of this machine, in a thread, but while it is cut."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, way: Way = lambda: 0.0) -> None:
         self.is_cut = False
         self._to = ("127.0.0.1", port)
+        self._way = way
+        self._under_way: list[tuple[float, int, bytes]] = []
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1", 0))
         self.port: int = self._socket.getsockname()[1]
@@ -49,11 +57,16 @@ class CutLine:
         self._socket.close()
 
     def _run(self) -> None:
+        count = 0
         while not self._over:
-            if select.select([self._socket], [], [], 0.1)[0]:
-                datagram = self._socket.recv(2_048)
-                if not self.is_cut:
-                    self._socket.sendto(datagram, self._to)
+            wait_s = min(0.1, self._under_way[0][0] - monotonic()) if self._under_way else 0.1
+            if select.select([self._socket], [], [], max(0.0, wait_s))[0]:
+                datagram, way_s = self._socket.recv(2_048), self._way()
+                count += 1
+                if not self.is_cut and way_s is not None:
+                    heapq.heappush(self._under_way, (monotonic() + way_s, count, datagram))
+            while self._under_way and self._under_way[0][0] <= monotonic():
+                self._socket.sendto(heapq.heappop(self._under_way)[2], self._to)
 
 
 class MeetingRuntime:
@@ -91,7 +104,8 @@ class MeetingRuntime:
 class Meeting:
     """Some runtimes; `events` are those of the present run, with the number of the runtime that said them."""
 
-    def __init__(self, folder: Path, *options: str, count: int = 2) -> None:
+    def __init__(self, folder: Path, *options: str, count: int = 2, way: Way = lambda: 0.0) -> None:
+        self._way = way
         self.runtimes = [MeetingRuntime(folder / f"site{number}", *options) for number in range(count)]
         self.events: list[tuple[int, event.Event]] = []
         self.lines: list[CutLine] = []
@@ -108,7 +122,7 @@ class Meeting:
         partners = []
         for site, pact in enumerate(pacts):
             assert isinstance(pact, PactOffered)
-            self.lines.append(CutLine(pact.port))
+            self.lines.append(CutLine(pact.port, self._way))
             port = self.lines[-1].port
             partners.append(LinkedRuntime(site, f"site{site}", "127.0.0.1", port, pact.name, pact.key, pact.epoch))
         answers: dict[int, request.Response] = {}
@@ -129,6 +143,11 @@ class Meeting:
         clock_ns = max(way.clock_ns for way in ways) * 5 // 4 + 1_000_000
         self.terms = MeetingTerms(max(way.trip_ns for way in ways) // 2, clock_ns)
         return linked
+
+    @property
+    def alone_s(self) -> float:
+        """After how long whoever has begun alone is held."""
+        return RendezvousTerms(self.terms.one_way_ns, self.terms.clock_ns).alone_ns * 1e-9
 
     def begin(self, on_error: str = "wait") -> None:
         """Begin the run on all."""
