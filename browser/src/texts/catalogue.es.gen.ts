@@ -1293,6 +1293,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "engine.under_way": "en curso",
   "engine.waiting_for_flow": "en espera de otro flujo",
   "engine.waits_at_tag": "el flujo {flow} espera en una marca; déjelo pasar, o salte a una acción",
+  "engine.waits_for_other_runtimes": "espera a flujos de otros runtimes",
   "engine.waits_to_begin_again": "el flujo {flow} espera a flujos que va a empezar de nuevo; antes tienen que terminar",
   "engine.will_not_come": "el flujo {flows} ha terminado y no acudirá",
   "files.a_branch": "una bifurcación",
