@@ -11,6 +11,9 @@ import numpy.typing as npt
 from onika.laws.mesh import mesh_name
 from onika.workcell.plant import Plant
 
+BULB, GLOW = "glass", "glow"
+"""Paints by which whoever draws a scene knows what shines with a lamp, and the light in the air about it."""
+
 _TOUCHING = 3  # the first group of shapes that are not seen
 
 

@@ -103,3 +103,16 @@ def test_without_forces_boxes_go_with_the_hand_as_in_the_class():  # law 18, R-X
     assert composed.poses() == pytest.approx(coded.poses(), abs=1e-9)
     assert composed.poses()[2, 2] == pytest.approx(-0.36 + 0.0254, abs=1e-6)
     assert composed.state("gripper_left") == pytest.approx(coded.state("gripper_left"), abs=1e-9)
+
+
+def test_shaken_its_boxes_stand_where_those_of_the_class_do():  # R-X14, R-X19
+    for seed in (3, 57):
+        coded, composed = BoxesWorld.shaken(seed), boxes_world(seed)
+        assert coded.fingerprint() == composed.fingerprint()
+
+
+def test_what_is_odd_and_what_cannot_be_is_told_of_both_alike():  # law 18
+    for devices in (["arm_left", "gripper_right"], ["arm_left", "scara_left"], ["arm_left", "arm_right_kin"]):
+        coded, composed = both()
+        assert list(map(str, coded.remarks(devices))) == list(map(str, composed.remarks(devices)))
+        assert list(map(str, coded.objections(devices))) == list(map(str, composed.objections(devices)))

@@ -108,3 +108,9 @@ def test_a_hand_that_is_nowhere_or_one_too_many_is_told_with_its_line():  # R-B0
     handed = FileWorld(files_of({**EMPTY, "robot/pole.robot": two}))
     assert [(fault.reason.key, fault.place.line) for fault in handed.faults] == [("workcell.hand_twice", 13)]
     assert "pole_left" not in {sheet.name for sheet in handed.devices()}
+
+
+def test_a_hand_that_no_arm_of_the_flow_bears_is_odd(stands):  # R-E16, R-X19
+    (remark,) = stands.remarks(["elbow_left", "gripper_right"])
+    assert str(remark) == "gripper_right is the hand at the right, and the arm that moves is elbow_left"
+    assert [*stands.remarks(["elbow_left", "elbow_gripper_left"])] == []

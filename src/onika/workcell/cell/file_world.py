@@ -4,6 +4,7 @@ It is offered to a runtime under no name of its own: whoever plans with it sends
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import mujoco
@@ -37,7 +38,7 @@ from onika.workcell.gripping.forceless import Forceless
 from onika.workcell.gripping.loose_parts import LooseParts
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
-from onika.workcell.scene import Shape3d, looked_at
+from onika.workcell.scene import BULB, GLOW, Shape3d, looked_at
 from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
@@ -82,6 +83,10 @@ class FileWorld(DrivenWorld):
         """Why these devices cannot be used together; none: they can."""
         return tuple(self._stands.objections(devices))
 
+    def remarks(self, devices: Sequence[str]) -> tuple[Reason, ...]:
+        """What is odd about these devices in one flow, and forbids nothing: hands, and arms that do not bear them."""
+        return tuple(self._stands.remarks(devices))
+
     def reset(self) -> None:
         """Everything back to its start, at rest; all drives hold. Time, claims and pressed buttons go on."""
         for unit in self._acting:
@@ -121,7 +126,11 @@ class FileWorld(DrivenWorld):
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when another robot stands at a place."""
-        return looked_at(Plant(self._compile(self._stands.acting, is_drawn=True)))
+        shapes = looked_at(Plant(self._compile(self._stands.acting, is_drawn=True)))
+        lamps = [lamp.lamp for lamp in self._lamps]
+        paints = {shape: BULB for lamp in lamps for shape in lamp.shines}
+        paints |= {shape: GLOW for lamp in lamps for shape in lamp.glows}
+        return [replace(shape, paint=paints.get(shape.name, shape.paint)) for shape in shapes]
 
     @property
     def lit(self) -> tuple[str, ...]:
@@ -131,7 +140,10 @@ class FileWorld(DrivenWorld):
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
         drawn = Plant(self._compile(self._stands.acting, is_drawn=True))
-        return encode(WorldSnapshot(still(drawn, self.poses(), self.lit), (), self.now_ns * 1e-9, False))
+        glows = [(name, bool(lamp.flags.all())) for lamp in self._lamps for name in lamp.lamp.glows]
+        lit, dark = ([name for name, shines in glows if shines is wanted] for wanted in (True, False))
+        picture = still(drawn, self.poses(), self.lit, lit, dark)
+        return encode(WorldSnapshot(picture, (), self.now_ns * 1e-9, False))
 
     def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
         return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)

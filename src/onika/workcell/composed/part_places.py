@@ -53,5 +53,5 @@ def offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[flo
     if seed is None:
         return {}
     random = np.random.default_rng(seed)
-    drawn = {part.name: random.uniform(-1.0, 1.0, 2) * (part.free or 0.0) for part in parts}
+    drawn = {part.name: random.uniform(-(part.free or 0.0), part.free or 0.0, 2) for part in parts}
     return {name: (float(offset[0]), float(offset[1])) for name, offset in drawn.items()}

@@ -62,6 +62,17 @@ class Stands:
                     other_mode=_called(other),
                 )
 
+    def remarks(self, devices: Sequence[str]) -> Iterator[Reason]:
+        """Hands of which none is borne by an arm of these devices, which is odd in one flow and forbids nothing."""
+        wanted = [unit for unit in self.units if unit.sheet.name in devices]
+        arms = [unit for unit in wanted if isinstance(unit, JointUnit) and unit.facts.start]
+        hands = [unit for unit in wanted if isinstance(unit, FingerUnit)]
+        if arms and not {unit.side for unit in arms} & {unit.side for unit in hands}:
+            names = tuple(unit.sheet.name for unit in arms)
+            for hand in hands:
+                side = Reason.plain(hand.side)
+                yield Reason.of("workcell.hand_apart", hand=hand.sheet.name, side=side, arms=names)
+
     def admit(self, unit: RobotUnit) -> bool:
         """Let this device act; whether anything changed. Raises ValueError where one in use stands against it."""
         for other in self.units:

@@ -1,9 +1,18 @@
-"""A document of one instant of a world, to be drawn elsewhere without its files: shapes where they are, no joints."""
+"""A document of one instant of a world, to be drawn elsewhere without its files: shapes where they are, no joints.
 
+Materials keep their gloss. The floor is paper with faint lines. A camera `picture` of a model is where it is seen from;
+else it is seen whole.
+"""
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+import mujoco
 import numpy as np
 import numpy.typing as npt
 
 from onika.laws.chain import text_of
+from onika.laws.frames import quaternion_of_rotation
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, looked_at
 from onika.workcell.view import CAMERA, LOOK
@@ -17,34 +26,93 @@ _SKY = (
     'width="64" height="384"/></asset>'
 )
 _SHINING = "1 0.95 0.7 1"
+_GLOWING = (1.0, 0.80, 0.25)
+_FLOOR = (
+    '<texture name="tiles" type="2d" builtin="flat" mark="edge" rgb1="1 1 1" rgb2="1 1 1" markrgb="0.93 0.915 0.88" '
+    'width="512" height="512"/><material name="tiles" texture="tiles" texrepeat="3.3 3.3" texuniform="true" '
+    'specular="0" shininess="0" emission="0.10"/>'
+)
+_BULB_LIGHT = (
+    'dir="0 0 -1" cutoff="180" castshadow="false" attenuation="0.4 6 60" diffuse="1 0.78 0.3" '
+    'specular="0.3 0.25 0.1" ambient="0 0 0"'
+)
+"""What a lamp that glows throws on what is about it."""
 _TOWARDS = np.array((-0.55, -0.75, 0.38))
 """From the middle of a world to the eye."""
 
 
-def still(drawn: Plant, poses: npt.NDArray[np.float32], lit: tuple[str, ...]) -> str:
-    """The document in MJCF; `poses` float32[bodies,7] as `World.poses` has them."""
-    rows = looked_at(drawn)
+def still(
+    drawn: Plant,
+    poses: npt.NDArray[np.float32],
+    lit: Collection[str],
+    glowing: Collection[str] = (),
+    unlit: Collection[str] = (),
+) -> str:
+    """The document in MJCF; `poses` float32[bodies,7] as `World.poses` has them.
+
+    lit, glowing, unlit     shapes that shine; shapes of the light in the air, and those of lamps that are dark
+    """
+    rows = [row for row in looked_at(drawn) if row.name not in unlit]
+    colours = dict.fromkeys(lit, _SHINING) | dict(_glow(glowing))
     bodies = [
-        f'<body pos="{text_of(pose[:3])}" quat="{text_of(pose[3:])}">{_geoms(rows, number, lit)}</body>'
+        f'<body pos="{text_of(pose[:3])}" quat="{text_of(pose[3:])}">{_geoms(rows, number, colours)}'
+        f"{_lamp(rows, number, glowing)}</body>"
         for number, pose in enumerate(poses.astype(float))
         if number
     ]
+    sky = _SKY.replace("</asset>", f"{_FLOOR}{_materials(drawn.model)}</asset>")
     return (
-        f"<mujoco>{LOOK}{_SKY}<worldbody>{_LIGHT}{_camera(poses.astype(float))}{_geoms(rows, 0, lit)}"
-        f"{''.join(bodies)}</worldbody></mujoco>"
+        f"<mujoco>{LOOK}{sky}<worldbody>{_LIGHT}{_eye(drawn) or _camera(poses.astype(float))}"
+        f"{_geoms(rows, 0, colours)}{''.join(bodies)}</worldbody></mujoco>"
     )
 
 
-def _geoms(rows: list[Shape3d], body: int, lit: tuple[str, ...]) -> str:
-    return "".join(_geom(row, row.name in lit) for row in rows if row.body == body)
+def _glow(glowing: Collection[str]) -> Iterator[tuple[str, str]]:
+    """The innermost is the brightest."""
+    for number, name in enumerate(glowing):
+        yield name, text_of((*_GLOWING, 0.30 / (number + 1)))
 
 
-def _geom(row: Shape3d, is_lit: bool) -> str:
-    colour = _SHINING if is_lit else text_of(row.rgba)
+def _lamp(rows: list[Shape3d], body: int, glowing: Collection[str]) -> str:
+    first = next((row for row in rows if row.body == body and row.name in glowing), None)
+    return "" if first is None else f'<light pos="{text_of(first.position)}" {_BULB_LIGHT}/>'
+
+
+def _materials(model: Any) -> str:
+    """How they reflect; colours are those of the shapes."""
+    rows = ((model.material(k).name, model.mat_specular[k], model.mat_shininess[k]) for k in range(model.nmat))
+    return "".join(
+        f'<material name="{name}" specular="{gloss:.4g}" shininess="{shine:.4g}"/>' for name, gloss, shine in rows
+    )
+
+
+def _geoms(rows: list[Shape3d], body: int, colours: dict[str, str]) -> str:
+    return "".join(_geom(row, colours.get(row.name)) for row in rows if row.body == body)
+
+
+def _geom(row: Shape3d, shining: str | None) -> str:
+    colour = shining or text_of(row.rgba)
     size = "0 0 0.05" if row.kind == "plane" else text_of(tuple(max(part, 1e-4) for part in row.size))
     place = f'pos="{text_of(row.position)}" quat="{text_of(row.quaternion)}"'
     kind = "box" if row.kind == "mesh" else row.kind
-    return f'<geom type="{kind}" size="{size}" {place} rgba="{colour}" contype="0" conaffinity="0"/>'
+    paint = "tiles" if row.kind == "plane" else "" if shining else row.paint
+    material = f'material="{paint}" ' if paint else ""
+    return f'<geom type="{kind}" size="{size}" {place} {material}rgba="{colour}" contype="0" conaffinity="0"/>'
+
+
+def _eye(drawn: Plant) -> str:
+    """The camera of a model that is there for pictures."""
+    model = drawn.model
+    eyes = [k for k in range(model.ncam) if model.camera(k).name.rpartition(".")[2] == CAMERA]
+    if not eyes:
+        return ""
+    mujoco.mj_kinematics(model, drawn.data)
+    mujoco.mj_camlight(model, drawn.data)
+    place, turn = drawn.data.cam_xpos[eyes[0]], drawn.data.cam_xmat[eyes[0]].reshape(3, 3)
+    return (
+        f'<camera name="{CAMERA}" pos="{text_of(place)}" quat="{text_of(quaternion_of_rotation(turn))}" '
+        f'fovy="{float(np.ravel(model.cam_fovy)[eyes[0]])}"/>'
+    )
 
 
 def _camera(poses: npt.NDArray[np.float64]) -> str:

@@ -71,8 +71,8 @@ class ArmKin(ArmReach, Module):
 
     @classmethod
     def constants(cls, local, identity):
-        """Everything that is known of the robot, by the names of its OUTCONSTs; as its device says it, if it does."""
-        if "SCREW" in identity:
+        """Everything that is known of the robot ROBOT, by the names of its OUTCONSTs; else as its device says it."""
+        if "SCREW" in identity and not local.ROBOT:
             constants = arm_constants(identity)
             nothing = [0.0] * constants["NDOF"]
             return constants | {"KP": nothing, "KD": nothing}
@@ -81,9 +81,8 @@ class ArmKin(ArmReach, Module):
     @classmethod
     def fits(cls, constants, local_values):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
-        if "SCREW" in local_values:
-            return None
-        return unlike(f"{constants['ROBOT']}_kin", constants, local_values)
+        name = constants["ROBOT"] if "SCREW" in local_values else f"{constants['ROBOT']}_kin"
+        return unlike(name, constants, local_values)
 
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):
