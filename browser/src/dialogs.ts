@@ -10,6 +10,7 @@ import SaveGroupPanel from './group/SaveGroupPanel.svelte'
 import WhatIfPanel from './foresight/WhatIfPanel.svelte'
 import HelpSheet from './help/HelpSheet.svelte'
 import HoldingPanel from './holding/HoldingPanel.svelte'
+import RemoteLibrariesPanel from './library/RemoteLibrariesPanel.svelte'
 import JobPanel from './picture/JobPanel.svelte'
 import ScopePanel from './monitor/ScopePanel.svelte'
 import RedirectPanel from './redirect/RedirectPanel.svelte'
@@ -43,6 +44,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   preferences: PreferencesPanel,
   recordings: RecordingsPanel,
   redirect: RedirectPanel,
+  remote: RemoteLibrariesPanel,
   saveAs: SaveAsPanel,
   saveGroup: SaveGroupPanel,
   scope: ScopePanel,

@@ -17,6 +17,7 @@ export type DialogName =
   | 'preferences'
   | 'recordings'
   | 'redirect'
+  | 'remote'
   | 'saveAs'
   | 'saveGroup'
   | 'scope'

@@ -29,6 +29,7 @@ def test_everything_that_can_be_chosen_is_named_with_its_words():  # R-F06
     assert shown["task", "wink"].description == "a lamp that winks"
     assert shown["task", "wink"].writes == ("LAMP",)
     assert shown["application", "evening"].is_new and not shown["task", "wink"].is_new
+    assert shown["application", "evening"].description == ""
 
 
 def test_a_configuration_has_the_picture_and_the_words_of_its_icon():  # R-F06

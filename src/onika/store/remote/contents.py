@@ -61,7 +61,8 @@ def _entries(index: LibraryIndex, agreements: Mapping[str, Agreement], new: Set[
         agreement = agreements.get(stem, _NOTHING) if kind == "task" else _NOTHING
         writes, touches = tuple(sorted(agreement.writes)), tuple(sorted(agreement.touches))
         rows = _rows(lines) if kind == "icon" else ()
-        yield LibraryEntry(path, kind, stem, _description(lines), rows, writes, touches, path in new)
+        description = "" if kind == "application" else _description(lines)  # there it is that of its first icon
+        yield LibraryEntry(path, kind, stem, description, rows, writes, touches, path in new)
 
 
 def _pictured(entry: LibraryEntry, icons: Mapping[str, LibraryEntry]) -> LibraryEntry:
