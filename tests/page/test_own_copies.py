@@ -1,13 +1,21 @@
-"""What comes with Onika is changed in a copy of one's own: marked, compared, gone back from, brought back."""
+"""What comes with Onika is changed in a copy of one's own, and brought back; what others have made is taken."""
 
 import re
 
 import pytest
 from playwright.sync_api import expect
 
+from kit.labs.library_site import LibrarySite, wink
 from onika.store.shipped import shipped
 
 pytestmark = pytest.mark.page
+
+
+@pytest.fixture
+def site(tmp_path):
+    site = LibrarySite(tmp_path, "far.wings")
+    site.publish(description="lamps of others")
+    return site
 
 
 @pytest.fixture
@@ -39,3 +47,25 @@ def test_shipped_code_that_is_changed_is_ones_own_and_the_way_back_loses_nothing
     me.page.get_by_role("button", name="Bring back", exact=True).click()
     expect(me.page.get_by_text("stands there now")).to_be_visible()
     assert shipped_file.read_bytes() == before
+
+
+def test_a_library_of_others_is_looked_at_trusted_and_used(me, site):  # R-F03, R-F06, R-X16
+    me.page.keyboard.press("Control+k")
+    me.page.keyboard.type("Libraries of others")
+    me.page.keyboard.press("Enter")
+    panel = me.page.get_by_role("dialog", name="Libraries of others")
+    panel.get_by_role("textbox", name="Address of a library").fill(str(site.folder))
+    panel.get_by_role("button", name="Look", exact=True).click()
+    expect(panel).to_contain_text("lamps of others")
+    expect(panel).to_contain_text("SHA256:")
+    panel.get_by_role("button", name="Trust this key and use the library").click()
+    expect(panel).to_contain_text("You use this version.")
+    site.write("module/wink.rmod", wink("LAMP", "Q_MEZ"))
+    site.publish()
+    panel.get_by_role("button", name="What is new in far.wings").click()
+    expect(panel).to_contain_text("wink would also write or touch Q_MEZ.")
+    panel.get_by_role("button", name="Take version 2").click()
+    expect(panel).to_contain_text("You use this version.")
+    me.page.keyboard.press("Escape")
+    me.libraries("far.wings")
+    expect(me.icon("wink")).to_be_visible()
