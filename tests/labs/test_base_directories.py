@@ -29,6 +29,7 @@ TRIGGERS = {
     "ctraj",
     "cshift",
     "cguard",
+    "press",
     "opengrip",
     "closegrip",
     "repeat",

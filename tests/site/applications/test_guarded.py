@@ -62,3 +62,10 @@ def test_the_shipped_one_is_foreseen_without_alarm_and_the_same_motion_without_a
     assert (str(result.cause), result.mishaps) == ("", [])
     result = Forecast(prepared.plan, ()).carry_out()
     assert [str(mishap.text) for mishap in result.mishaps] == ["the hand touches the box with the triangle"]
+
+
+@pytest.mark.site
+def test_a_hand_presses_on_a_box_with_the_force_of_its_target(capsys):  # R-B10, R-D25
+    code = main(["run", "press_on_box", "--virtual", "--json", "--expect=F_MEZ[2] > 18", "--expect=F_MEZ[2] < 22"])
+    result = json.loads(capsys.readouterr().out.splitlines()[-1])
+    assert (code, result["state"]) == (0, "completed")
