@@ -9,7 +9,7 @@ from onika.module import AskAgain, Input, InVar, Local, Module, ModuleError, Out
 QUIET = 0.05  # s: how long the force is looked at from which pressing is counted
 
 
-class Press(Module):
+class PressingForce(Module):
     """Brings the tool to press with a force and a torque, along the axes of the world, and holds them for a while.
 
     It goes where the force points, as fast as it lacks, until it presses so; across it the tool stays where it is.
