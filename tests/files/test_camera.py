@@ -31,6 +31,13 @@ def test_a_camera_stands_somewhere_or_is_one_of_the_model():  # R-F05, R-X19
     assert world.write(text) == EYES
 
 
+def test_a_camera_may_be_a_real_one():  # R-F05
+    given = "VERSION     2.0\n\nCAMERA      usb\nDEVICE      /dev/video0\nLENS        70\nRATE        15\n\nEOF\n"
+    text, faults = world.read(given, "w", "f")
+    assert (faults, text.cameras) == ((), (CameraBlock("usb", device="/dev/video0", lens=70.0, rate=15.0),))
+    assert world.write(text) == given
+
+
 def test_a_robot_has_cameras_too():  # R-F05, R-X19
     eye = "CAMERA      eye\nON          hand\nAT          0 0 0\nLOOKS       0 0 1\n"
     given = f"VERSION     2.0\nFILE        a.xml\n\n{eye}\nEOF\n"
@@ -55,6 +62,8 @@ def test_a_robot_has_cameras_too():  # R-F05, R-X19
         ("VIEW        table.side", "LENS 30", 11, "files.only_with_at"),
         ("CAMERA      side\n", "CAMERA above\n", 10, "files.name_twice"),
         ("AT          0 0 1", "VIEW top\nAT 0 0 1", 4, "files.view_or_at"),
+        ("VIEW        table.side", "VIEW table.side\nDEVICE 0", 12, "files.real_camera_alone"),
+        ("AT          0 0 1", "DEVICE 0\nAT 0 0 1", 4, "files.real_camera_alone"),
     ],
 )
 def test_what_is_wrong_with_a_camera_is_told_with_its_line(old, new, line, key):  # R-B07, R-F05

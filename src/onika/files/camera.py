@@ -7,9 +7,10 @@ from onika.model.camera import LENS_DEGREES, RATE_HZ, SIZE, CameraBlock
 from onika.words.reason import Reason
 
 HEAD = "CAMERA"
+_KEYWORDS = ("VIEW", "ON", "AT", "LOOKS", "DEVICE", "LENS", "SIZE", "RATE")
 SLOTS = (
     KeywordSlot(HEAD),
-    *(KeywordSlot(keyword, Need.OPTIONAL) for keyword in ("VIEW", "ON", "AT", "LOOKS", "LENS", "SIZE", "RATE")),
+    *(KeywordSlot(keyword, Need.OPTIONAL) for keyword in _KEYWORDS),
 )
 _SMALLEST, _LARGEST = 16, 640
 _SLOWEST_HZ, _FASTEST_HZ = 0.1, 30.0
@@ -24,11 +25,7 @@ def camera(words: BlockWords) -> CameraBlock:
         words.wrong("AT" if words.has("AT") else "LOOKS", Reason.of("files.at_and_looks"))
     elif at and at == looks:
         words.wrong("LOOKS", Reason.of("files.looks_at_itself"))
-    for keyword in ("ON", "LENS"):
-        if words.has(keyword) and not words.has("AT"):
-            words.wrong(keyword, Reason.of("files.only_with_at", keyword=keyword))
-    if words.has("VIEW") and words.has("AT"):
-        words.wrong("VIEW", Reason.of("files.view_or_at"))
+    _judge_kind(words)
     return CameraBlock(
         words.name(HEAD),
         words.word("VIEW", Reason.of("files.name_of_camera")),
@@ -38,6 +35,7 @@ def camera(words: BlockWords) -> CameraBlock:
         _within(words, "LENS", LENS_DEGREES, (_NARROWEST, _WIDEST)),
         _size(words),
         _within(words, "RATE", RATE_HZ, (_SLOWEST_HZ, _FASTEST_HZ)),
+        words.word("DEVICE", Reason.of("files.device_of_camera")),
         words.lines,
     )
 
@@ -48,10 +46,24 @@ def show(block: CameraBlock) -> str:
     parts += [row("VIEW", block.view)] if block.view else []
     parts += [row("ON", block.on)] if block.on else []
     parts += [number_row("AT", block.at), number_row("LOOKS", block.looks)] if block.at else []
+    parts += [row("DEVICE", block.device)] if block.device else []
     parts += [number_row("LENS", (block.lens,))] if block.lens != LENS_DEGREES else []
     parts += [row("SIZE", *map(str, block.size))] if block.size != SIZE else []
     parts += [row("RATE", show_number(block.rate))] if block.rate != RATE_HZ else []
     return "".join(parts)
+
+
+def _judge_kind(words: BlockWords) -> None:
+    """It is one of the model, stands somewhere, or is a real one; lines of the others are told."""
+    is_placed, is_real = words.has("AT"), words.has("DEVICE")
+    if words.has("ON") and not is_placed:
+        words.wrong("ON", Reason.of("files.only_with_at", keyword="ON"))
+    if words.has("LENS") and not (is_placed or is_real):
+        words.wrong("LENS", Reason.of("files.only_with_at", keyword="LENS"))
+    if words.has("VIEW") and is_placed:
+        words.wrong("VIEW", Reason.of("files.view_or_at"))
+    if is_real and (words.has("VIEW") or is_placed):
+        words.wrong("DEVICE", Reason.of("files.real_camera_alone"))
 
 
 def _size(words: BlockWords) -> tuple[int, int]:

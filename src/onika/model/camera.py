@@ -14,10 +14,11 @@ def _no_lines() -> Mapping[str, int]:
 
 @dataclass(frozen=True, slots=True)
 class CameraBlock:
-    """A camera: one of the model, called `view`, or one that stands at `at` and looks at the point `looks`.
+    """A camera: one of the model, called `view`, one that stands at `at` and looks at the point `looks`, or a real one.
 
+    device  of a real one: its number or path on the machine of the runtime, or a film or row of pictures there
     on      the body in whose frame `at` and `looks` are (m); empty: in the world, or in the middle of the robot's model
-    lens    how much it sees from below to above (degrees), of one that stands at `at`
+    lens    how much it sees from below to above (degrees), of one that stands at `at`, or is real
     size    width and height of a picture in pixels
     rate    pictures in a second
     """
@@ -30,4 +31,5 @@ class CameraBlock:
     lens: float = LENS_DEGREES
     size: tuple[int, int] = SIZE
     rate: float = RATE_HZ
+    device: str = ""
     lines: Mapping[str, int] = field(default_factory=_no_lines, compare=False, repr=False)

@@ -27,6 +27,8 @@ class CameraUnit(DeviceUnit):
         identity = {"W": (float(width),), "H": (float(height),), "RATE": (camera.rate,), "FOCAL": (focal,)}
         super().__init__(DeviceSheet(name, STATE, (), identity, (height, width)), place)
         self.eye = eye
+        self.source = camera.device
+        """Of a real camera what is opened; empty: it is rendered."""
         self.pixels: npt.NDArray[np.uint8] = np.zeros((height, width, 3), dtype=np.uint8)
         self.state[1] = DriveState.DRIVEN
         self.due_ns = NEVER_NS

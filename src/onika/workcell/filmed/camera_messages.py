@@ -22,6 +22,8 @@ class Film(Struct, frozen=True):
 
     files: WorldSource
     eyes: tuple[Eye, ...]
+    source: str = ""
+    """Of a real camera what is opened: its number or path, a film, a row of pictures; empty: cameras are rendered."""
 
 
 class Exposure(Struct, frozen=True):

@@ -19,13 +19,15 @@ WAYS = ("egl", "osmesa")
 
 _LARGEST = 1 << 20
 _PROCESS = "onika.workcell.filmed.camera_process"
+_REAL_PROCESS = "onika.workcell.filmed.real_camera_process"
 _ENDED = "the process that renders has ended"
 
 
 class CameraRenderer:
     """Renders what is asked for, in a process that begins with this; where one way to draw fails the next is tried.
 
-    Raises SharedMemoryRefused.
+    A real camera has a process, too, which reads its pictures, and nothing that could be tried instead. Raises
+    SharedMemoryRefused.
     """
 
     def __init__(self, film: Film, ways: tuple[str, ...] = WAYS) -> None:
@@ -39,9 +41,10 @@ class CameraRenderer:
             )
             for eye in film.eyes
         )
-        self._ways = [*ways]
+        self._source = film.source
+        self._ways = [""] if film.source else [*ways]
         self._owed: dict[int, Exposure] = {}
-        self._why = Reason.plain(_ENDED)
+        self._why = Reason.of("workcell.camera_ended") if film.source else Reason.plain(_ENDED)
         self._process: subprocess.Popen[bytes] | None = None
         self._start()
 
@@ -59,7 +62,7 @@ class CameraRenderer:
         """What has come, waiting so long for the first of it; where nothing draws, why, for all that is owed."""
         while self._owed:
             if self._process is None:
-                why = Reason.of("workcell.no_graphics", why=self._why)
+                why = self._why if self._source else Reason.of("workcell.no_graphics", why=self._why)
                 owed, self._owed = self._owed, {}
                 yield from (Exposed(exposure.eye, exposure.taken_ns, why=why) for exposure in owed.values())
                 return
@@ -93,7 +96,7 @@ class CameraRenderer:
         options = [part for word, fd in zip(words, fds, strict=True) for part in (word, str(fd))]
         without = {name: value for name, value in os.environ.items() if name != "PYOPENGL_PLATFORM"}
         self._process = subprocess.Popen(  # noqa: S603 - our own code, no shell
-            [sys.executable, "-m", _PROCESS, *options],
+            [sys.executable, "-m", _REAL_PROCESS if self._source else _PROCESS, *options],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

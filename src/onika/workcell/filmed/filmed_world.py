@@ -29,23 +29,25 @@ class FilmedWorld(FileWorld):
     def __init__(self, files: WorldSource, seed: int | None = None) -> None:
         self._cameras: tuple[CameraUnit, ...] = ()
         super().__init__(files, seed)
-        self._filming = Filming(files, self._cameras)
+        self._films = _films(files, self._cameras)
 
     def render_in_step(self) -> None:
         """From now on each picture is there at its instant: the world waits for it, in virtual time."""
-        self._filming.waits = True
+        for film in self._films:
+            film.wait()
 
     def look(self, device: str, is_wanted: bool) -> None:
         """Tasks use the pictures of a camera from now on, or none does any more."""
-        self._filming.use(device, is_wanted, self.now_ns)
+        next(film for film in self._films if film.has(device)).use(device, is_wanted, self.now_ns)
 
     def show(self, device: str, is_shown: bool) -> None:
         """Somebody looks at the pictures of a camera from now on, or nobody any more; nothing for another device."""
-        self._filming.show(device, is_shown, self.now_ns)
+        for film in self._films:
+            film.show(device, is_shown, self.now_ns)
 
     def take_small(self) -> dict[str, tuple[int, int, bytes]]:
         """Of cameras at which somebody looks the newest picture since the last call: number, when (ns), JPEG or PNG."""
-        return self._filming.take_small()
+        return {device: small for film in self._films for device, small in film.take_small().items()}
 
     def picture(self, device: str) -> npt.NDArray[np.uint8]:
         """The newest picture of a camera, uint8[H,W,3]; the same array always."""
@@ -53,16 +55,17 @@ class FilmedWorld(FileWorld):
 
     def step(self, until_ns: int) -> None:
         """As any world; the cameras take their pictures between two steps, at their instants."""
-        filming = self._filming
-        while filming.due_ns <= until_ns:
-            super().step(filming.due_ns)
-            filming.expose(max(self.now_ns, filming.due_ns), self._plant, dict(self._stands.acting), self.lit)
+        while (due_ns := min(film.due_ns for film in self._films)) <= until_ns:
+            super().step(due_ns)
+            for film in self._films:
+                film.expose(max(self.now_ns, due_ns), self._plant, dict(self._stands.acting), self.lit)
         super().step(until_ns)
-        filming.take_in(self.now_ns)
+        for film in self._films:
+            film.take_in(self.now_ns)
 
     def take_events(self) -> list[DriveEvent]:
         """The changes of drives since the last call, and of cameras."""
-        return [*super().take_events(), *self._filming.take_events()]
+        return [*super().take_events(), *(event for film in self._films for event in film.take_events())]
 
     def _more_units(self) -> Sequence[CameraUnit]:
         cameras = [*self._of_world(), *self._of_robots()]
@@ -75,7 +78,9 @@ class FilmedWorld(FileWorld):
         there = lenses(self._plant.model)
         for camera in self._composition.world.cameras:
             eye = eye_of(camera)
-            if eye in there:
+            if camera.device:
+                yield CameraUnit(camera.name, camera, "", focal_length(camera.lens, camera.size[1]))
+            elif eye in there:
                 yield CameraUnit(camera.name, camera, eye, focal_length(there[eye], camera.size[1]))
             else:
                 reason, keyword = _lacking(camera, there)
@@ -87,9 +92,10 @@ class FilmedWorld(FileWorld):
             there = [model.robot for model in models]
             for robot, model in zip(there, models, strict=True):
                 for camera in robot.cameras:
-                    eye = eye_of(camera)
-                    if eye in model.lenses:
-                        name = device_name(camera, robot, there, place.name)
+                    eye, name = eye_of(camera), device_name(camera, robot, there, place.name)
+                    if camera.device:
+                        yield CameraUnit(name, camera, "", focal_length(camera.lens, camera.size[1]), place.name)
+                    elif eye in model.lenses:
                         focal = focal_length(model.lenses[eye], camera.size[1])
                         yield CameraUnit(name, camera, prefix_of(place.name) + eye, focal, place.name)
                     else:
@@ -97,6 +103,12 @@ class FilmedWorld(FileWorld):
                         where = self._composition.sources.robot_place(robot.name, camera.lines.get(keyword, 0))
                         instead = Reason.of("workcell.device_left_out", name=camera.name)
                         self._composition.faults.append(Fault(where, reason, instead))
+
+
+def _films(files: WorldSource, cameras: Sequence[CameraUnit]) -> tuple[Filming, ...]:
+    """All cameras that are rendered together, and each real one by itself."""
+    rendered = [unit for unit in cameras if not unit.source]
+    return Filming(files, rendered), *(Filming(files, [unit]) for unit in cameras if unit.source)
 
 
 def judged(files: WorldSource) -> tuple[Fault, ...]:

@@ -22,11 +22,12 @@ class Filming:
     """Nothing is rendered, and no process is there, as long as nobody wants a picture.
 
     `waits` lets each picture be there at its instant, as virtual time needs it; else they come when they are ready, and
-    what a camera would have taken meanwhile is left out.
+    what a camera would have taken meanwhile is left out. A real camera is filmed by itself: nobody waits for it.
     """
 
     def __init__(self, files: WorldSource, cameras: Sequence[CameraUnit], ways: tuple[str, ...] = WAYS) -> None:
         self._files, self._ways = files, ways
+        self._source = cameras[0].source if cameras else ""
         self._cameras = tuple(cameras)
         self._numbers = {unit.sheet.name: number for number, unit in enumerate(self._cameras)}
         self._used: set[str] = set()
@@ -35,8 +36,18 @@ class Filming:
         self._events: list[DriveEvent] = []
         self._small: dict[str, tuple[int, int, bytes]] = {}
         self.waits = False
+        self._is_out_of_time = False
         self.due_ns = NEVER_NS
         """When the next picture is to be taken."""
+
+    def wait(self) -> None:
+        """From now on each picture is there at its instant; a real camera that films now has none of virtual time."""
+        self.waits = True
+        self._is_out_of_time = is_live(self._source)
+
+    def has(self, device: str) -> bool:
+        """Whether this camera is filmed here."""
+        return device in self._numbers
 
     def use(self, device: str, is_used: bool, now_ns: int) -> None:
         """Tasks use the pictures of this camera from now on, or none does any more."""
@@ -53,7 +64,7 @@ class Filming:
             if unit.due_ns > now_ns:
                 continue
             unit.schedule(now_ns)
-            is_there = mujoco.mj_name2id(plant.model, mujoco.mjtObj.mjOBJ_CAMERA, unit.eye) >= 0
+            is_there = self._source or mujoco.mj_name2id(plant.model, mujoco.mjtObj.mjOBJ_CAMERA, unit.eye) >= 0
             if self._renderer is not None and is_there and number not in self._renderer.owed:
                 is_shown = unit.sheet.name in self._shown
                 qpos: Any = plant.data.qpos
@@ -110,10 +121,12 @@ class Filming:
         self._note_due()
 
     def _begin(self, now_ns: int) -> None:
-        if self._renderer is None:
+        if self._is_out_of_time:
+            self._darken(Reason.of("workcell.camera_out_of_time"), now_ns)
+        elif self._renderer is None:
             eyes = laid_out([(unit.eye, unit.sheet.picture) for unit in self._cameras])
             try:
-                self._renderer = CameraRenderer(Film(self._files, eyes), self._ways)
+                self._renderer = CameraRenderer(Film(self._files, eyes, self._source), self._ways)
             except SharedMemoryRefused as refused:
                 self._darken(reason_of(refused), now_ns)
 
@@ -131,3 +144,8 @@ class Filming:
 
     def _note_due(self) -> None:
         self.due_ns = min((unit.due_ns for unit in self._cameras), default=NEVER_NS)
+
+
+def is_live(source: str) -> bool:
+    """Whether a source is a device, which shows what is now; a film and a row of pictures are the same each time."""
+    return source.isdecimal() or source.startswith("/dev/")
