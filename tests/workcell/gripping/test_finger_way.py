@@ -7,7 +7,7 @@ from kit.worlds.grasping_cells import Cell
 
 
 def way_of(world):
-    ((unit, (way, _)),) = world._hands().items()
+    ((unit, (way, _)),) = world._hands.ways.items()
     return unit, way
 
 

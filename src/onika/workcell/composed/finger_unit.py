@@ -45,7 +45,8 @@ class FingerUnit(RobotUnit):
         sheet = DeviceSheet(name, state, self._commanded(), dict(facts.constants))
         super().__init__(sheet, robot, place, prefix, step_s)
         self._goal = (facts.gripper.closed[1], 0.0)
-        self.state[2] = facts.gripper.closed[1]
+        self._narrow, self._short = facts.gripper.closed[1], facts.lengths[0]  # read at every step
+        self.state[2] = self._narrow
         self._data: Any = None
         self.moved_by: MovedFingers | None = None
         """What moves it where there are no forces."""
@@ -81,6 +82,7 @@ class FingerUnit(RobotUnit):
         self._motors = np.array([int(model.actuator(self._prefix + name).id) for name in gripper.moves])
         sensors = [model.sensor(self._prefix + name) for name in gripper.force]
         self._felt = np.array([int(sensor.adr[0]) for sensor in sensors], dtype=int)
+        self._is_felt = bool(sensors)
         first = int(self._motors[0])
         data = plant.data
         self._length = row_of(data.actuator_length[first : first + 1])
@@ -106,15 +108,14 @@ class FingerUnit(RobotUnit):
 
     def refresh(self, time: float) -> None:
         """Opening (m), its speed (m/s) and, where no sensor feels it, the force of the actuators (N)."""
-        row, leverage = self.row, self.facts.leverage
+        row, leverage, moved = self.row, self.facts.leverage, self.moved_by
         row[0] = time
-        moved = self.moved_by
         if moved is not None:
             row[2], row[3], row[4] = moved.opening, moved.speed, moved.force
             return
-        row[2] = self.facts.gripper.closed[1] + (self._length[0] - self.facts.lengths[0]) / leverage
+        row[2] = self._narrow + (self._length[0] - self._short) / leverage
         row[3] = self._speed[0] / leverage
-        if not len(self._felt):
+        if not self._is_felt:
             row[4] = abs(float(self._data.actuator_force[self._motors].sum()) * leverage)
 
     def sense(self) -> None:
