@@ -5,8 +5,10 @@ import numpy as np
 import pytest
 
 from kit.worlds.mjcf_arms import ARMS
+from onika.laws import puma560
 from onika.laws.arm import ArmModel
 from onika.laws.path import quintic
+from onika.laws.textbook import serial_arm
 from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
@@ -206,3 +208,27 @@ def test_who_is_at_home_is_done_at_once():
     bench = bench_of("gohome", arm, frequency=250)
     bench["Q_MEZ"] = arm.constants["HOME"]
     assert bench.forget("Q_REF").on().cycle(3).finished is not None and bench.state is State.OFF
+
+
+def test_friction_ahead_adds_what_the_links_take_at_the_wanted_speed():  # R-K05
+    link = np.zeros((2, 13))
+    link[:, 11], link[:, 12] = [2.0, 3.0], [0.5, 1.0]
+    bench = Bench(MODULES / "friction.py", frequency=500, constants={"NDOF": 2, "LINK": link}).init()
+    bench["TAU_IN"], bench["Q^_REF"] = [1.0, 1.0], [0.0, 10.0]
+    assert bench.on()["TAU_OUT"] == pytest.approx([1.0, 1.0 + 30.0 + 0.8])
+    bench["Q^_REF"] = [-10.0, float("nan")]
+    assert bench.cycle()["TAU_OUT"] == pytest.approx([1.0 - 20.0 - 0.4, 1.0])
+
+
+def test_the_observer_passes_over_what_is_no_number_and_sees_a_push():  # R-K05
+    arm = serial_arm(puma560.DH, puma560.DYN, puma560.LOAD)
+    constants = {"NDOF": 6, "SCREW": arm.screw, "LINK": arm.link, "PARENT": arm.parent, "LOAD": arm.load}
+    bench = Bench(MODULES / "observer.py", frequency=250, constants={**constants, "BASE": np.eye(4)}).init()
+    bench["Q_MEZ"] = puma560.HOME
+    bench["TAU_REF"] = arm.bias(puma560.HOME, np.zeros(6))
+    bench.on().cycle(100)
+    assert bench["TAU_EXT"] == pytest.approx(np.zeros(6), abs=1e-9)
+    bench["TAU_REF"] = [float("nan")] * 6
+    bench.cycle(10)
+    bench["TAU_REF"] = arm.bias(puma560.HOME, np.zeros(6)) - np.array([0, 5.0, 0, 0, 0, 0])
+    assert bench.cycle(200)["TAU_EXT"] == pytest.approx([0, 5.0, 0, 0, 0, 0], abs=0.01)

@@ -8,6 +8,8 @@ import pytest
 from kit.labs.laboratory import Laboratory, job, joints, target
 from kit.labs.varied_job import placed, varied
 from onika.cli import main
+from onika.laws import puma560
+from onika.laws.textbook import serial_arm
 
 pytestmark = pytest.mark.site
 
@@ -42,6 +44,11 @@ CASES = {
     "notch": ([placed("notch", 500, *NOTCHED, "LOCAL       MIDDLE 100")], SUMMED),
     "ratelimit": ([placed("ratelimit", 250, "LOCAL       FASTEST 5")], WISHED),
     "fence": ([placed("fence", 250)], WISHED),
+    "override": (
+        [placed("override", 250, "LOCAL       SHARE 0.6")],
+        {"jtraj": f"{WISHED['jtraj']}LOCAL       SETTLE 9\n"},
+    ),
+    "friction": ([placed("friction", 500, *NOTCHED)], SUMMED),
 }
 
 
@@ -92,6 +99,19 @@ def test_what_the_hand_meets_is_told_and_free_motion_is_not(capsys, tmp_path, do
         *(job("tryC", "Relative job"), target("by", "Relative object", down, "3.0")),
     ]
     assert ran(capsys, tmp_path, icons, "HIT")["HIT"] == hit
+
+
+def test_what_presses_on_an_arm_is_seen_joint_by_joint(capsys, tmp_path):  # R-K05
+    varied(Laboratory(tmp_path), "tryC", "pressC", [placed("observer", 250)])
+    icons = [
+        *(job("jmoveC", "Joint job"), joints("above", *ABOVE, duration=3.0)),
+        *(job("cshiftC", "Relative job"), target("by", "Relative object", "0 0 -0.15", "2.0")),
+        *(job("tryC", "Force job"), target("hard", "Force object", "0 0 -30 0 0 0")),
+    ]
+    values = ran(capsys, tmp_path, icons, "TAU_EXT[0]", "Q_MEZ[0]", "F_MEZ[0]")
+    arm = serial_arm(puma560.DH, tool=puma560.TOOL)
+    assert values["TAU_EXT"] == pytest.approx(arm.jacobian(values["Q_MEZ"]).T @ values["F_MEZ"], abs=1.5)
+    assert np.abs(values["TAU_EXT"]).max() > 10.0
 
 
 def test_a_follower_does_what_its_leader_does(capsys, tmp_path):  # R-K05, R-K07
