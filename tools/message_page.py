@@ -9,20 +9,55 @@ from typing import get_args
 
 import msgspec
 
-from onika.wire import event, holding, live, plan, question, reading, request, runtime_standing
+from onika.ring import displacement
+from onika.wire import (
+    event,
+    figures,
+    foresight,
+    holding,
+    live,
+    plan,
+    question,
+    reading,
+    request,
+    runtime_standing,
+    samples,
+    sheet,
+    steer,
+    world_source,
+)
 
 _HEAD = """\
 # Messages
 
 What travels in requests, responses, signals and readings of [the protocol](protocol.md): MessagePack maps, whose key
-`type` is the title of the message; the other keys are its fields. Maps that are only parts of others have no `type`.
-Unknown keys are ignored; a missing one takes its default, or is an error where it has none. `tuple[...]` and
-`list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. This page is drawn from the code
-by `python tools/generate.py`.
+`type` is the title of the message; the other keys are its fields. Maps that are only parts of others have no `type`,
+but for the instructions of a flow's program (`Instruction` is one of `Do` to `Halt`). Unknown keys are ignored; a
+missing one takes its default, or is an error where it has none.
+
+`tuple[...]` and `list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. `Index` is an
+`int` that is not negative; a `float` may come as a whole number. `Reason` and `NOTHING`, the empty one, are those of
+[reasons](protocol.md#reasons). States of tasks and flows are the words of [lifecycles](lifecycles.md): `OFF`, `running`.
+This page is drawn from the code by `python tools/generate.py`.
 """
 
 
-_ROOMS = (plan, request, live, runtime_standing, holding, question, event.explanation)
+_ROOMS = (
+    plan,
+    world_source,
+    request,
+    live,
+    runtime_standing,
+    displacement,
+    steer,
+    holding,
+    question,
+    event.explanation,
+    figures,
+    sheet,
+    foresight,
+    samples,
+)
 """Where the parts of messages are defined."""
 
 

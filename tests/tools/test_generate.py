@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 from typing import get_args
 
@@ -83,3 +84,12 @@ def test_every_message_is_on_its_page_with_its_fields():  # R-A19
     for argument in (*get_args(request.Request), *get_args(request.Response), *get_args(event.Event)):
         assert f"### {argument.__name__}\n" in page
         assert all(f"| `{name}` |" in page for name in argument.__struct_fields__)
+
+
+def test_every_part_that_a_message_is_made_of_is_on_its_page():  # R-A19
+    page = message_page.page()
+    kinds = re.findall(r"^\| `\w+` \| `(.*?)` \|", page, re.MULTILINE)
+    words = {"Any", "Index", "Instruction", "None", "Reason"}
+    named = {word for kind in kinds for word in re.findall(r"\b[A-Z]\w+", kind)} - words
+    assert named
+    assert [name for name in sorted(named) if f"### {name}\n" not in page] == []
