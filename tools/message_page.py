@@ -37,7 +37,7 @@ missing one takes its default, or is an error where it has none.
 
 `tuple[...]` and `list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. `Index` is an
 `int` that is not negative; a `float` may come as a whole number. `Reason` and `NOTHING`, the empty one, are those of
-[reasons](protocol.md#reasons). States of tasks and flows are the words of [lifecycles](lifecycles.md): `OFF`, `running`.
+[reasons](protocol.md#reasons). States of tasks and flows are the words of [lifecycles](lifecycles.md).
 This page is drawn from the code by `python tools/generate.py`.
 """
 

@@ -11,74 +11,13 @@ import { readFileSync } from "node:fs";
 import http from "node:http";
 import https from "node:https";
 
+import { pack, unpack } from "./msgpack.mjs";
+
 const VERSION = 3;
 const [, , url, tokenFile, limit = "Infinity", ca] = process.argv;
 if (!tokenFile) {
   console.error("expected: node watch.mjs URL TOKEN-FILE [EVENTS] [CA.pem]");
   process.exit(2);
-}
-
-// -- MessagePack, as much of it as the protocol needs
-
-function pack(value) {
-  if (value === null) return Buffer.from([0xc0]);
-  if (typeof value === "boolean") return Buffer.from([value ? 0xc3 : 0xc2]);
-  if (typeof value === "number" && Number.isInteger(value) && value >= 0) {
-    if (value < 128) return Buffer.from([value]);
-    const bytes = Buffer.alloc(9, 0xcf);
-    bytes.writeBigUInt64BE(BigInt(value), 1);
-    return bytes;
-  }
-  if (typeof value === "number") {
-    const bytes = Buffer.alloc(9, 0xcb);
-    bytes.writeDoubleBE(value, 1);
-    return bytes;
-  }
-  if (typeof value === "string") return sized(0xdb, Buffer.from(value));
-  if (Buffer.isBuffer(value)) return sized(0xc6, value);
-  if (Array.isArray(value)) return Buffer.concat([size(0xdd, value.length), ...value.map(pack)]);
-  const pairs = Object.entries(value);
-  return Buffer.concat([size(0xdf, pairs.length), ...pairs.flat().map(pack)]);
-}
-
-function size(kind, length) {
-  const bytes = Buffer.alloc(5, kind);
-  bytes.writeUInt32BE(length, 1);
-  return bytes;
-}
-
-function sized(kind, bytes) {
-  return Buffer.concat([size(kind, bytes.length), bytes]);
-}
-
-function unpack(bytes) {
-  let at = 0;
-  const take = (length) => bytes.subarray(at, (at += length));
-  const whole = (length) => (length === 8 ? Number(take(8).readBigUInt64BE()) : take(length).readUIntBE(0, length));
-  const signed = (length) => (length === 8 ? Number(take(8).readBigInt64BE()) : take(length).readIntBE(0, length));
-  const list = (length) => Array.from({ length }, next);
-  const map = (length) => Object.fromEntries(Array.from({ length }, () => [next(), next()]));
-  const text = (length) => take(length).toString("utf8");
-  function next() {
-    const kind = bytes[at++];
-    if (kind < 0x80) return kind;
-    if (kind < 0x90) return map(kind & 15);
-    if (kind < 0xa0) return list(kind & 15);
-    if (kind < 0xc0) return text(kind & 31);
-    if (kind >= 0xe0) return kind - 256;
-    if (kind >= 0xc4 && kind <= 0xc6) return Buffer.from(take(whole(1 << (kind - 0xc4))));
-    if (kind >= 0xcc && kind <= 0xcf) return whole(1 << (kind - 0xcc));
-    if (kind >= 0xd0 && kind <= 0xd3) return signed(1 << (kind - 0xd0));
-    if (kind >= 0xd9 && kind <= 0xdb) return text(whole(1 << (kind - 0xd9)));
-    if (kind === 0xc0) return null;
-    if (kind === 0xc2 || kind === 0xc3) return kind === 0xc3;
-    if (kind === 0xca) return take(4).readFloatBE();
-    if (kind === 0xcb) return take(8).readDoubleBE();
-    if (kind === 0xdc || kind === 0xdd) return list(whole(kind === 0xdc ? 2 : 4));
-    if (kind === 0xde || kind === 0xdf) return map(whole(kind === 0xde ? 2 : 4));
-    throw new Error(`no MessagePack this example knows: 0x${kind.toString(16)}`);
-  }
-  return next();
 }
 
 // -- WebSocket: one binary message for each packet
