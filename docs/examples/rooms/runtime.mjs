@@ -22,7 +22,8 @@ const LEASE_S = 1; // after so much silence a session holds nothing any more
 const planned = (name) => {
   const ports = (kind) => MODULES[name].ports.filter((port) => port.kind === kind).map((port) => port.name);
   const [invar, outvar] = [ports("INVAR"), ports("OUTVAR")];
-  const rest = { inconst: [], outconst: [], invar, outvar, aliases: [], local: [] };
+  const local = MODULES[name].locals.map(({ name, default: usual }) => [name, [String(usual)]]);
+  const rest = { inconst: [], outconst: [], invar, outvar, aliases: [], local };
   return { name, module: name, digest: "", place: "", rtpu: UNIT, frequency: 20, type: "periodic", ...rest };
 };
 
