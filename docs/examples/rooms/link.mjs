@@ -24,7 +24,7 @@ const MAY_SAY = {
 };
 
 /** A sentence of this runtime, which is in no catalogue. */
-export const plain = (text) => ({ key: "plain", args: { text }, text });
+export const plain = (text) => ({ key: "plain", text });
 
 export const NOTHING = { key: "", text: "" };
 
