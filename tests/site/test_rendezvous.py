@@ -1,6 +1,8 @@
 """Flows of one application on two runtimes meet at tags: real processes, real datagrams, lines that are cut."""
 
 import signal
+import subprocess
+import sys
 from random import Random
 from time import monotonic
 
@@ -209,6 +211,18 @@ def test_whoever_begins_alone_is_held_in_time_in_two_hundred_cuts(meeting):  # R
     alone = cuts(meeting, 2, 200)
     assert alone
     assert max(alone) <= meeting.alone_s + 0.01
+
+
+def test_the_flows_of_an_application_are_given_to_two_runtimes_by_one_command(meeting, tmp_path):  # R-E12, R-F02
+    token = tmp_path / "token"
+    token.write_text(meeting.token)
+    token.chmod(0o600)
+    places = [f"--at=flow{number}={runtime.url}" for number, runtime in enumerate(meeting.runtimes)]
+    words = [sys.executable, "-c", "from onika.cli import main; main()", "run", "both_wave", *places]
+    done = subprocess.run([*words, "--token-file", str(token)], capture_output=True, text=True, timeout=90, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "both_wave: completed" in done.stdout
+    assert "whoever begins alone is held after" in done.stdout
 
 
 def test_a_stop_of_one_runtime_stops_the_other(meeting):  # law 27

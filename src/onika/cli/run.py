@@ -48,7 +48,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--from", dest="source", type=Path, metavar="RUN.mcap",
         help=say(Reason.of("cli.run_from")),
     )  # fmt: skip
-    parser.add_argument("--at", type=_instant, metavar="S", help=say(Reason.of("cli.run_at")))
+    parser.add_argument(
+        "--at", action="append", default=[], type=_at, metavar="S|FLOW=URL", help=say(Reason.of("cli.run_at"))
+    )
     parser.add_argument("--virtual", action="store_true", help=say(Reason.of("cli.run_virtual")))
     parser.add_argument(
         "--expect", action="append", default=[], type=expectation_of, metavar="'LAMP == 1'",
@@ -101,7 +103,8 @@ def carry_out(given: argparse.Namespace) -> int:
     """Run it."""
     if bool(given.application) == (given.source is not None):
         given.complain(say(Reason.of("cli.no_application")))
-    if given.at is not None and given.source is None:
+    instants = [at for at in given.at if isinstance(at, float)]
+    if instants and (given.source is None or len(given.at) > 1):
         given.complain(say(Reason.of("cli.at_alone")))
     watcher = _watcher(given)
     settings = _settings(given, watcher.can_steer)
@@ -149,7 +152,8 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         shake=given.shake,
         values=tuple(given.vary),
         record=given.record,
-        source=None if given.source is None else RecordingSource(given.source, given.at),
+        source=None if given.source is None else RecordingSource(given.source, given.at[0] if given.at else None),
+        places=_places(given),
         elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, given.token or "", given.ca),
     )
 
@@ -247,6 +251,17 @@ def _instant(text: str) -> float:
     if not 0.0 <= seconds <= 1e6:
         raise argparse.ArgumentTypeError(say(Reason.of("cli.seconds_expected", most="1000000", text=text)))
     return seconds
+
+
+def _at(text: str) -> float | tuple[str, str]:
+    """An instant, or a flow and the runtime where it runs."""
+    flow, equals, url = text.partition("=")
+    return (flow.strip(), _address(url)) if equals else _instant(text)
+
+
+def _places(given: argparse.Namespace) -> tuple[tuple[str, RuntimeLocation], ...]:
+    places = [at for at in given.at if isinstance(at, tuple)]
+    return tuple((flow, RuntimeLocation(url, given.token or "", given.ca)) for flow, url in places)
 
 
 def _whole(text: str) -> int:

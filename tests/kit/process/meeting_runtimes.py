@@ -72,11 +72,8 @@ class CutLine:
 class MeetingRuntime:
     """A runtime in wall time, and a session with it that holds everything."""
 
-    def __init__(self, folder: Path, *options: str) -> None:
+    def __init__(self, folder: Path, users: Path, token: str, *options: str) -> None:
         folder.mkdir()
-        users = folder / "users"
-        words = [sys.executable, "-m", "onika.host.sessions.users", "owner", "owner", str(users)]
-        token = subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip()
         self._output = folder / "output"
         with self._output.open("wb") as output:
             self.process = subprocess.Popen(
@@ -85,7 +82,8 @@ class MeetingRuntime:
             )  # fmt: skip
         assert self.process.stdout is not None
         first = self.process.stdout.readline().decode()
-        address = Address.parse(first.split(" on ")[1].split(",")[0].strip())
+        self.url = first.split(" on ")[1].split(",")[0].strip()
+        address = Address.parse(self.url)
         self._session = RemoteRuntime(WebSocketOpening(address, token, None))
         self.client = self._session.__enter__()
 
@@ -106,7 +104,12 @@ class Meeting:
 
     def __init__(self, folder: Path, *options: str, count: int = 2, way: Way = lambda: 0.0) -> None:
         self._way = way
-        self.runtimes = [MeetingRuntime(folder / f"site{number}", *options) for number in range(count)]
+        users = folder / "users"
+        words = [sys.executable, "-m", "onika.host.sessions.users", "owner", "owner", str(users)]
+        self.token = subprocess.run(words, check=True, capture_output=True, text=True).stdout.strip()
+        self.runtimes = [
+            MeetingRuntime(folder / f"site{number}", users, self.token, *options) for number in range(count)
+        ]
         self.events: list[tuple[int, event.Event]] = []
         self.lines: list[CutLine] = []
         self.terms = MeetingTerms(0, 0)

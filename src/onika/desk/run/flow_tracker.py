@@ -84,8 +84,11 @@ class FlowTracker:
 
     @property
     def is_stuck(self) -> bool:
-        """Whether no flow goes on by itself, and not all are done."""
-        states = [spot.state for spot in self.statuses.values()]
+        """Whether no flow goes on by itself, and not all are done; who waits for other runtimes goes on with them."""
+        spots = self.statuses.values()
+        if any(spot.state == "waiting" and not spot.waits_for for spot in spots):
+            return False
+        states = [spot.state for spot in spots]
         return all(state in (*STILL, *OVER) for state in states) and any(state in STILL for state in states)
 
     def standing(self) -> Reason:

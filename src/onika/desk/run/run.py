@@ -14,17 +14,19 @@ from onika.desk.plan.subsystem_renaming import chiefs, rehoused
 from onika.desk.plan.varied import varied
 from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
+from onika.desk.run.joined.joined_runtimes import JoinedRuntimes
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
 from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.running_application import Running
-from onika.desk.run.runtime_conversation import RuntimeConversation
+from onika.desk.run.runtime_conversation import RunRuntime, RuntimeConversation
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering_script import ScriptLine
 from onika.desk.run.world_text import drive_lines
 from onika.link.lost import LinkLost
+from onika.link.ssh_address import address_of
 from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.wire import event, live, request
@@ -37,7 +39,8 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 _RECORD = Place("--record")
-Opens = Callable[[Plan, WorldValues], AbstractContextManager[RuntimeConversation]]
+_AT = Place("--at")
+Opens = Callable[[Plan, WorldValues], AbstractContextManager[RunRuntime]]
 """What gives the runtime for a plan, and for what is otherwise in its worlds."""
 _LOOK_S = 0.05
 """How long a Ctrl-C, or a key, waits at most."""
@@ -162,9 +165,9 @@ def _open(
     if settings.script is not None:
         script_lines, script_faults = steering_script.load(settings.script, FlowIndex.of(plan))
         outcome.faults += script_faults
-    unrecorded = _unrecorded(settings)
-    if unrecorded:
-        outcome.faults += unrecorded
+    unfit = (*_unrecorded(settings), *_misplaced(settings, plan))
+    if unfit:
+        outcome.faults += unfit
         yield None
         return
     with _runtime(settings, plan, world_values, recorded) if opens is None else opens(plan, world_values) as runtime:
@@ -266,9 +269,32 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     )
 
 
+def _joined(settings: RunSettings) -> JoinedRuntimes:
+    """The runtimes to which flows were given, as one; raises LinkLost where no token is to be had."""
+    locations = list(dict.fromkeys(location for _, location in settings.places))
+    runtimes = [connect(location.url, location.token, location.ca) for location in locations]
+    sites = {flow: locations.index(location) for flow, location in settings.places}
+    hosts = [address_of(location.url).host for location in locations]
+    return JoinedRuntimes(runtimes, sites, [location.url for location in locations], hosts)
+
+
+def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
+    """What is wrong with where flows are to run."""
+    if not settings.places:
+        return []
+    flows, named = chiefs(plan), [flow for flow, _ in settings.places]
+    locations = {location for _, location in settings.places}
+    if sorted(named) == sorted(flows) and len(locations) > 1 and not settings.is_virtual and settings.record is None:
+        return []
+    reason = Reason.of("desk.flows_at", flows=flows, named=tuple(named))
+    return [Fault(_AT, reason, Reason.of("words.nothing_run"))]
+
+
 def _runtime(
     settings: RunSettings, plan: Plan, values: WorldValues, recorded: RecordedRun | None
-) -> LaunchedRuntime | RemoteRuntime:
+) -> LaunchedRuntime | RemoteRuntime | JoinedRuntimes:
+    if settings.places:
+        return _joined(settings)
     if recorded is not None:
         return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
     if settings.elsewhere is not None:
@@ -278,12 +304,12 @@ def _runtime(
     return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options, settings.has_black_box)
 
 
-def _is_virtual(runtime: RuntimeConversation) -> bool:
+def _is_virtual(runtime: RunRuntime) -> bool:
     answer = runtime.ask(live.Survey())
     return isinstance(answer, Standing) and answer.is_virtual
 
 
-def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, outcome: Outcome) -> None:
+def _prepare(prepared: PreparedRun, plan: Plan, runtime: RunRuntime, outcome: Outcome) -> None:
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]

@@ -23,7 +23,7 @@ from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.pending_wait import PendingWait
 from onika.desk.run.recorded_run import RecordedRun
-from onika.desk.run.runtime_conversation import RuntimeConversation
+from onika.desk.run.runtime_conversation import RunRuntime
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrder, SteeringWait
 from onika.link.lost import LinkLost
@@ -53,7 +53,7 @@ class Running:
         settings: RunSettings,
         prepared: PreparedRun,
         plan: Plan,
-        runtime: RuntimeConversation,
+        runtime: RunRuntime,
         outcome: Outcome,
         *,
         is_held: bool,

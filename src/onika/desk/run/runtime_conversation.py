@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from time import monotonic_ns
+from typing import Protocol
 
 from onika.link.connection import Connection
 from onika.link.link_events import (
@@ -50,6 +51,31 @@ class NumberedResponse:
 
     number: int
     response: request.Response
+
+
+class RunRuntime(Protocol):
+    """What carries out a run: one runtime, or several that were joined."""
+
+    @property
+    def pid(self) -> int | None:
+        """The process id of the runtime program, None where it was not launched from here."""
+        ...
+
+    def ask(self, message: request.Request) -> request.Response:
+        """Ask and wait for the response; raises LinkLost or TimeoutError."""
+        ...
+
+    def events(self, timeout_s: float) -> Iterator[event.Event]:
+        """What has happened since the last call; raises LinkLost at the end."""
+        ...
+
+    def printed(self) -> str:
+        """What its processes printed last, as far as that can be known here."""
+        ...
+
+    def black_box(self) -> str:
+        """The file in which the last seconds of a run stand whose runtime has died; empty: none is known here."""
+        ...
 
 
 class RuntimeConversation:

@@ -36,6 +36,8 @@ class RunSettings:
     """Whether a runtime that is launched here keeps the last seconds of a run that ends badly."""
     elsewhere: RuntimeLocation | None = None
     """The runtime to run on; else one is launched here."""
+    places: tuple[tuple[str, RuntimeLocation], ...] = ()
+    """Where each flow runs, where they run on several runtimes: its name, and the runtime."""
     scale: float | None = None
     """In virtual time: how many times as fast as wall time it passes; None: as fast as it goes."""
     subsystems: tuple[str, ...] = ()

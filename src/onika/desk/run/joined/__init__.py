@@ -1,0 +1,1 @@
+"""One application on several runtimes, which meet at tags."""
