@@ -1,3 +1,5 @@
+import argparse
+
 import pytest
 
 from onika.cli import main, run as room
@@ -13,7 +15,7 @@ def runs(monkeypatch):
     """The settings of each run that would have been, and how it ends."""
     seen = []
 
-    def run(settings, site, watcher):
+    def run(settings, site, watcher, opens):
         seen.append((settings, site, watcher))
         return Outcome(settings.name, result=RESULT, snapshots={"boxes": b"drawn"} if settings.wants_picture else {})
 
@@ -178,3 +180,29 @@ def test_a_run_that_failed_is_not_kept(runs, monkeypatch, tmp_path):  # R-X07
     monkeypatch.setattr(room, "keep_in", lambda *_args, **_more: pytest.fail("it was kept"))
     monkeypatch.setattr(room, "run", lambda settings, site, watcher: Outcome("go_home", faults=[]))
     assert main(["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]) == 2
+
+
+def test_flows_are_given_to_runtimes_each_with_its_token(tmp_path):  # R-E12, R-F02
+    for name in ("any", "own"):
+        (tmp_path / name).write_text(f"{name:x<43}\n")
+        (tmp_path / name).chmod(0o600)
+    parser = argparse.ArgumentParser()
+    room.describe(parser)
+    words = ["go", "--at", "flow0=wss://a.example", "--at", "flow1=wss://b.example", "--at", "flow2=wss://b.example"]
+    given = parser.parse_args(
+        [*words, "--token-file", str(tmp_path / "any"), "--token-file", f"flow1={tmp_path / 'own'}"]
+    )
+    places = room._settings(given, can_steer=False).places
+    assert [(flow, location.url) for flow, location in places] == [
+        ("flow0", "wss://a.example:7994"), ("flow1", "wss://b.example:7994"), ("flow2", "wss://b.example:7994")
+    ]  # fmt: skip
+    assert [location.token.strip("x") for _, location in places] == ["any", "own", "own"]
+
+
+@pytest.mark.parametrize("at", ["flow0=http://a.example", "flow0", "-1"])
+def test_what_is_neither_an_instant_nor_a_runtime_is_refused(at, capsys):
+    parser = argparse.ArgumentParser()
+    room.describe(parser)
+    with pytest.raises(SystemExit):
+        parser.parse_args(["go", f"--at={at}"])
+    assert capsys.readouterr().err

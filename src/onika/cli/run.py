@@ -14,6 +14,7 @@ from onika.cli.plain_display import PlainDisplay
 from onika.cli.runtime import script_file
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
+from onika.desk.joined.joined_runtimes import opens
 from onika.desk.run import world_picture
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordingSource
@@ -77,8 +78,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--runtime", type=_address, metavar="URL", help=say(Reason.of("cli.run_runtime")))
     parser.add_argument(
-        "--token-file", dest="token", type=_token, metavar="FILE", help=say(Reason.of("cli.run_token_file"))
-    )
+        "--token-file", dest="tokens", action="append", default=[], type=_token, metavar="[FLOW=]FILE",
+        help=say(Reason.of("cli.run_token_file")),
+    )  # fmt: skip
     parser.add_argument("--scale", type=scale, metavar="X", help=say(Reason.of("cli.run_scale")))
     parser.add_argument(
         "--subsystem", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.run_subsystem"))
@@ -112,7 +114,7 @@ def carry_out(given: argparse.Namespace) -> int:
     if objection:
         given.complain(say(Reason.of("cli.not_kept", objection=objection)))
     with in_order(), watcher:
-        outcome = run(settings, site_here(given.local), watcher)
+        outcome = run(settings, site_here(given.local), watcher, opens(settings))
     drawn = _draw(outcome, given.picture) if given.picture is not None else NOTHING
     watcher.ended(outcome, drawn)
     if given.keep_test is not None and outcome.exit_code == 0:
@@ -154,7 +156,7 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         record=given.record,
         source=None if given.source is None else RecordingSource(given.source, given.at[0] if given.at else None),
         places=_places(given),
-        elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, given.token or "", given.ca),
+        elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, _token_of("", given), given.ca),
     )
 
 
@@ -218,9 +220,11 @@ def _address(text: str) -> str:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
-def _token(text: str) -> str:
+def _token(text: str) -> tuple[str, str]:
+    """The flow that it is for, empty: any, and the token."""
+    flow, equals, path = text.partition("=")
     try:
-        return read_token(Path(text))
+        return (flow.strip(), read_token(Path(path))) if equals else ("", read_token(Path(text)))
     except (OSError, ValueError) as wrong:
         raise argparse.ArgumentTypeError(say(Reason.of("cli.token_expected", reason=reason_of(wrong)))) from None
 
@@ -261,7 +265,13 @@ def _at(text: str) -> float | tuple[str, str]:
 
 def _places(given: argparse.Namespace) -> tuple[tuple[str, RuntimeLocation], ...]:
     places = [at for at in given.at if isinstance(at, tuple)]
-    return tuple((flow, RuntimeLocation(url, given.token or "", given.ca)) for flow, url in places)
+    tokens = {url: _token_of(flow, given) for flow, url in reversed(places)}
+    return tuple((flow, RuntimeLocation(url, tokens[url], given.ca)) for flow, url in places)
+
+
+def _token_of(flow: str, given: argparse.Namespace) -> str:
+    tokens = dict(given.tokens)
+    return str(tokens.get(flow, tokens.get("", "")))
 
 
 def _whole(text: str) -> int:

@@ -14,7 +14,6 @@ from onika.desk.plan.subsystem_renaming import chiefs, rehoused
 from onika.desk.plan.varied import varied
 from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
-from onika.desk.run.joined.joined_runtimes import JoinedRuntimes
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
@@ -26,7 +25,6 @@ from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering_script import ScriptLine
 from onika.desk.run.world_text import drive_lines
 from onika.link.lost import LinkLost
-from onika.link.ssh_address import address_of
 from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.wire import event, live, request
@@ -129,15 +127,18 @@ def _started(settings: RunSettings, site: Site, opens: Opens | None) -> Iterator
             running.close()
 
 
-def run(settings: RunSettings, site: Site, watcher: RunWatcher) -> Outcome:
-    """Run an application to its end. Ctrl-C stops it, and loses no result; a second one is a KeyboardInterrupt."""
+def run(settings: RunSettings, site: Site, watcher: RunWatcher, opens: Opens | None = None) -> Outcome:
+    """Run an application to its end. Ctrl-C stops it, and loses no result; a second one is a KeyboardInterrupt.
+
+    opens   what it runs on; None: the runtime that the settings name, or one that is launched for it
+    """
     outcome = Outcome(settings.name)
     is_held = settings.is_virtual and settings.script is not None
     interruption = Interruption()
     try:
         with ExitStack() as ending:
             ending.push(interruption)  # entered when the run begins: before that, Ctrl-C has nothing to stop
-            opened = ending.enter_context(_open(settings, site, outcome, is_held))
+            opened = ending.enter_context(_open(settings, site, outcome, is_held, opens))
             if opened is not None:
                 running, script_lines = opened
                 watcher.begins(running.prepared, running.pid)
@@ -269,15 +270,6 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     )
 
 
-def _joined(settings: RunSettings) -> JoinedRuntimes:
-    """The runtimes to which flows were given, as one; raises LinkLost where no token is to be had."""
-    locations = list(dict.fromkeys(location for _, location in settings.places))
-    runtimes = [connect(location.url, location.token, location.ca) for location in locations]
-    sites = {flow: locations.index(location) for flow, location in settings.places}
-    hosts = [address_of(location.url).host for location in locations]
-    return JoinedRuntimes(runtimes, sites, [location.url for location in locations], hosts)
-
-
 def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
     """What is wrong with where flows are to run."""
     if not settings.places:
@@ -292,9 +284,7 @@ def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
 
 def _runtime(
     settings: RunSettings, plan: Plan, values: WorldValues, recorded: RecordedRun | None
-) -> LaunchedRuntime | RemoteRuntime | JoinedRuntimes:
-    if settings.places:
-        return _joined(settings)
+) -> LaunchedRuntime | RemoteRuntime:
     if recorded is not None:
         return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
     if settings.elsewhere is not None:

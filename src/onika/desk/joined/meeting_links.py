@@ -25,23 +25,28 @@ def link(parts: Sequence[PlanPart], titles: Sequence[str], hosts: Sequence[str],
     pacts = [offer for offer in offers if isinstance(offer, PactOffered)]
     if len(pacts) < len(parts):
         return _refusal(offers, titles)
-    reached = [_LOCAL] * len(hosts) if are_near else [_reached(host, hosts) for host in hosts]
-    partners = [
-        LinkedRuntime(site, titles[site], reached[site], pact.port, pact.name, pact.key, pact.epoch)
-        for site, pact in enumerate(pacts)
-    ]
-    run, tags = secrets.token_bytes(16), shared_tags(parts)
-    asked = [
-        LinkRuntimes(run, site, tuple(partner for partner in partners if partner.site != site), tags)
-        for site in range(len(parts))
-    ]
-    answers = ask(asked)
+    answers = ask(_introduced(parts, titles, [_reached(host, hosts) for host in hosts], pacts))
     linked = [answer for answer in answers if isinstance(answer, Linked) and not answer.refusal]
     if len(linked) < len(parts):
         return _refusal(answers, titles)
     ways = [way for answer in linked for way in answer.ways]
     clock_ns = max(way.clock_ns for way in ways) * 5 // 4 + _EXTRA_CLOCK_NS
     return MeetingTerms(max(way.trip_ns for way in ways) // 2, clock_ns)
+
+
+def _introduced(
+    parts: Sequence[PlanPart], titles: Sequence[str], hosts: Sequence[str], pacts: Sequence[PactOffered]
+) -> list[LinkRuntimes]:
+    """What each is told of all others."""
+    runtimes = [
+        LinkedRuntime(site, title, host, pact.port, pact.name, pact.key, pact.epoch)
+        for site, (title, host, pact) in enumerate(zip(titles, hosts, pacts, strict=True))
+    ]
+    run, tags = secrets.token_bytes(16), shared_tags(parts)
+    return [
+        LinkRuntimes(run, runtime.site, tuple(other for other in runtimes if other is not runtime), tags)
+        for runtime in runtimes
+    ]
 
 
 def note(terms: MeetingTerms, titles: Sequence[str]) -> Reason:
@@ -63,7 +68,9 @@ def _reached(host: str, hosts: Sequence[str]) -> str:
     """Where others reach a runtime: one on this machine by the address that this machine has towards them."""
     if not is_near(host):
         return host
-    far = next(other for other in hosts if not is_near(other))
+    far = next((other for other in hosts if not is_near(other)), "")
+    if not far:
+        return _LOCAL
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:  # nothing is sent
         probe.connect((far, 9))
         return str(probe.getsockname()[0])

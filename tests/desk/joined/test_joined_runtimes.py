@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 
 from kit.plans.plan_builder import PlanBuilder, action
-from onika.desk.run.joined.joined_runtimes import JoinedRuntimes
+from onika.desk.joined.joined_runtimes import JoinedRuntimes
 from onika.desk.run.runtime_conversation import NumberedResponse
 from onika.wire import event, live, request, steer
 from onika.wire.rendezvous_link import Linked, LinkRuntimes, MeetingTerms, OfferPact, PactOffered, Way

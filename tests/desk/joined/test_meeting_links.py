@@ -1,7 +1,7 @@
 import pytest
 
+from onika.desk.joined.meeting_links import link, note
 from onika.desk.plan.plan_parts import PlanPart
-from onika.desk.run.joined.meeting_links import link, note
 from onika.wire.plan import Do, Halt, Meet, Plan, PlannedFlow
 from onika.wire.rendezvous_link import Linked, LinkRuntimes, MeetingTerms, OfferPact, PactOffered, SharedTag, Way
 from onika.wire.request import Refused

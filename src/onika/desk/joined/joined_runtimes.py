@@ -7,21 +7,28 @@ when all parts are, and is completed when all are.
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
+from itertools import chain
 from time import monotonic
 from types import TracebackType
 from typing import Any
 
 from msgspec import structs
 
+from onika.desk.joined import meeting_links
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.plan_parts import PlanPart, parts_of
-from onika.desk.run.joined import meeting_links
-from onika.desk.run.remote_runtime import RemoteRuntime
+from onika.desk.run.remote_runtime import RemoteRuntime, connect
+from onika.desk.run.run import Opens
 from onika.desk.run.runtime_conversation import PATIENCE_S, NumberedResponse
+from onika.desk.run.settings import RunSettings
+from onika.link.ssh_address import address_of
 from onika.wire import event, live, request, steer
+from onika.wire.plan import Plan
 from onika.wire.rendezvous_link import MeetingTerms
+from onika.wire.world_values import WorldValues
 from onika.words.reason import NOTHING, Reason
 
+_LISTS = ("tasks", "skews_us", "switches_us", "steps", "remarks")
 _TO_ALL = (request.Stop, request.Abort, live.Reset)
 
 
@@ -203,7 +210,6 @@ class JoinedRuntimes:
         results = [result for _, result in sorted(self._results.items())]
         self._results.clear()
         failed = [result for result in results if not result.completed]
-        values = {name: value for result in results for name, value in result.values.items()}
         return structs.replace(
             (failed or results)[0],
             cause=failed[0].cause if failed else NOTHING,
@@ -211,14 +217,30 @@ class JoinedRuntimes:
             of=sum(result.of for result in results),
             runtime_s=max(result.runtime_s for result in results),
             wall_s=max(result.wall_s for result in results),
-            values=values,
-            tasks=tuple(figures for result in results for figures in result.tasks),
-            skews_us=tuple(skew for result in results for skew in result.skews_us),
-            switches_us=tuple(switch for result in results for switch in result.switches_us),
-            steps=tuple(step for result in results for step in result.steps),
-            remarks=tuple(remark for result in results for remark in result.remarks),
+            values=dict(chain.from_iterable(result.values.items() for result in results)),
             run=self._run,
+            **{name: _of_all(results, name) for name in _LISTS},
         )
+
+
+def opens(settings: RunSettings) -> Opens | None:
+    """What a run's flows run on that are given to several runtimes; None: they are not."""
+    if not settings.places:
+        return None
+    locations = list(dict.fromkeys(location for _, location in settings.places))
+
+    def join(_plan: Plan, _values: WorldValues) -> JoinedRuntimes:
+        runtimes = [connect(location.url, location.token, location.ca) for location in locations]
+        sites = {flow: locations.index(location) for flow, location in settings.places}
+        urls = [location.url for location in locations]
+        return JoinedRuntimes(runtimes, sites, urls, [address_of(url).host for url in urls])
+
+    return join
+
+
+def _of_all(results: Sequence[event.Result], name: str) -> tuple[Any, ...]:
+    """What the results of all parts have under a name, one after the other."""
+    return tuple(chain.from_iterable(getattr(result, name) for result in results))
 
 
 def _watched(part: PlanPart, addresses: Sequence[str]) -> tuple[str, ...]:
