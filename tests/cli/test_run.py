@@ -178,7 +178,7 @@ def test_a_run_that_cannot_be_kept_is_refused_before_it_begins(runs, capsys, wor
 
 def test_a_run_that_failed_is_not_kept(runs, monkeypatch, tmp_path):  # R-X07
     monkeypatch.setattr(room, "keep_in", lambda *_args, **_more: pytest.fail("it was kept"))
-    monkeypatch.setattr(room, "run", lambda settings, site, watcher: Outcome("go_home", faults=[]))
+    monkeypatch.setattr(room, "run", lambda settings, site, watcher, opens: Outcome("go_home", faults=[]))
     assert main(["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]) == 2
 
 
