@@ -3220,6 +3220,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.gripper_still": "se esperaban señales que abran y cierren {name}; con ellas no se mueve",
   "workcell.hand_apart": "{hand} es la mano de la {side}, y el brazo que se mueve es {arms:and}",
   "workcell.hand_holds": "{hand} sujeta {box}",
+  "workcell.hand_is_arm": "se esperaba un robot sin brazo como mano de un lugar; hay {name}",
   "workcell.hand_of": "la mano de {arm}",
   "workcell.hand_twice": "se esperaba un robot sin mano ni eslabones propios en un lugar con mano; hay {name}",
   "workcell.hold_commanded": "se le mandó retener",

@@ -114,3 +114,12 @@ def test_a_hand_that_no_arm_of_the_flow_bears_is_odd(stands):  # R-E16, R-X19
     (remark,) = stands.remarks(["elbow_left", "gripper_right"])
     assert str(remark) == "gripper_right is the hand at the right, and the arm that moves is elbow_left"
     assert [*stands.remarks(["elbow_left", "elbow_gripper_left"])] == []
+
+
+@pytest.mark.parametrize(
+    ("given", "key"), [("hand nowhere", "workcell.no_such_name"), ("elbow tip", "workcell.hand_is_arm")]
+)
+def test_a_hand_that_is_an_arm_or_has_no_place_at_the_arm_is_told_with_its_line(given, key):  # R-B07, R-X19
+    text = EMPTY["world/cell.world"].replace("HAND hand tip", f"HAND {given}")
+    faults = FileWorld(files_of({**EMPTY, "world/cell.world": text})).faults
+    assert {(fault.reason.key, fault.place.line) for fault in faults if fault.place.line == 13} == {(key, 13)}

@@ -11,7 +11,7 @@ from onika.model.world import CONES, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.camera_spec import add_cameras, add_sky
-from onika.workcell.composed.robot_model import HAND, RobotModel, compiled, robot_model, robot_spec
+from onika.workcell.composed.robot_model import HAND, ORIGIN, RobotModel, compiled, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.usable_parts import misplaced, part_spec, prefix_of, usable_parts
 
@@ -61,7 +61,11 @@ class Composition:
         """The hand of a place by itself."""
         if place.hand is None:
             return None
-        return self._model(place, place.hand[0], "HAND", None)
+        model = self._model(place, place.hand[0], "HAND", None)
+        if model is None or not any(facts.start for facts in model.joints):
+            return model
+        self._tell_hand(place, Reason.of("workcell.hand_is_arm", name=place.hand[0]))
+        return None
 
     def names_of(
         self, exchanged: Collection[str], before: Mapping[str, str], now: Mapping[str, str]
@@ -127,13 +131,32 @@ class Composition:
     def _compiled(self, place: PlaceBlock, robot: RobotText, hand: PlaceHand) -> RobotModel | None:
         if hand is None:
             return robot_model(self.sources, robot, self.faults)
-        if robot.hand or robot.links:
-            where = Place(self.sources.place.file, place.lines.get("HAND", 0))
-            reason = Reason.of("workcell.hand_twice", name=robot.name)
-            self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+        unfit = self._without_room(robot, hand[1])
+        if unfit is not None:
+            self._tell_hand(place, unfit)
             return None
         file = self.sources.robots[hand[0]].file
         return robot_model(self.sources, replace(robot, hand=file, on=hand[1]), self.faults)
+
+    def _without_room(self, robot: RobotText, site: str) -> Reason | None:
+        """Why a robot cannot bear the hand of a place at this site."""
+        if robot.hand or robot.links:
+            return Reason.of("workcell.hand_twice", name=robot.name)
+        try:
+            there = tuple(each.name for each in robot_spec(self.sources, robot).sites if each.name != ORIGIN)
+        except ValueError:
+            return None  # its file is told of
+        return (
+            None
+            if site in there
+            else Reason.of("workcell.no_such_name", there=there or Reason.of("workcell.none"), name=site)
+        )
+
+    def _tell_hand(self, place: PlaceBlock, reason: Reason) -> None:
+        fault = Fault(
+            Place(self.sources.place.file, place.lines.get("HAND", 0)), reason, Reason.of("files.robot_left_out")
+        )
+        self.faults += [] if fault in self.faults else [fault]
 
     def _is_used(self, place: PlaceBlock) -> bool:
         wrong = misplaced(place.spot, self._sites)
