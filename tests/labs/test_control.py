@@ -123,3 +123,28 @@ def test_a_wish_from_before_the_last_hold_moves_nothing():  # law 3
     bench["Q_MEZ"], bench["Q_WISH"] = puma560.HOME, np.zeros(6)
     bench.forget("Q_WISH", "Q_REF").on().cycle(50)
     assert bench["Q_REF"] == pytest.approx(puma560.HOME)
+
+
+def pressing(stiffness, cycles=1500, **local):
+    """A hand that goes along x over a floor at z = -0.01, as a spring presses: its last reference and force."""
+    bench = Bench(MODULES / "force.py", frequency=250, local=local).init()
+    bench["X_REF"] = np.eye(4)
+    bench.on()
+    for step in range(cycles):
+        path = np.eye(4)
+        path[0, 3] = 1e-5 * step
+        bench["X_REF"] = path
+        bench["F_MEZ"] = [0, 0, stiffness * max(-0.01 - bench["X_OUT"][2, 3], 0.0), 0, 0, 0]
+        bench.cycle()
+    return bench
+
+
+def test_a_force_is_held_along_its_axis_and_the_path_across_it():  # R-K05, R-B10
+    bench = pressing(10_000.0, FORCE=20)
+    assert bench["F_MEZ"][2] == pytest.approx(20.0, abs=0.2)
+    assert bench["X_OUT"][:3, 3] == pytest.approx([1e-5 * 1499, 0.0, -0.012], abs=1e-4)
+    assert bench.get("lacks") == pytest.approx(0.0, abs=0.2)
+
+
+def test_where_nothing_is_met_it_leaves_its_path_no_further_than_it_may():  # R-K05
+    assert pressing(0.0, FAR=0.02, AXIS="0 0 -5")["X_OUT"][2, 3] == pytest.approx(-0.02)

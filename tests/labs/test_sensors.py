@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from onika.laws.frames import rotation_of_rpy
 from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
@@ -41,3 +42,24 @@ def test_a_wrench_is_what_its_device_says():  # R-K05
 def test_another_device_is_told(task, kind):  # R-X04
     bench = Bench(MODULES / f"{task}.py", frequency=250, device=numbers(3)).init()
     assert bench.state is State.ERROR and f"of a {kind}, found one that publishes 3" in bench.why
+
+
+def test_a_wrench_without_weight_and_offset_is_what_presses_on_the_tool():  # R-K05
+    local = {"MASS": "2.0", "CENTRE": "0 0 0.1", "ZERO": "0.1"}
+    bench = Bench(MODULES / "unbias.py", frequency=100, local=local).init()
+    offset = np.array([1.0, -2.0, 3.0, 0.1, 0.2, -0.3])
+
+    def show(turn, force, torque):
+        pose = np.eye(4)
+        pose[:3, :3] = turn
+        weight = turn.T @ [0.0, 0.0, -2.0 * 9.81]
+        shown = np.concatenate([weight + turn.T @ force, np.cross([0, 0, 0.1], weight) + turn.T @ torque])
+        bench["X_MEZ"], bench["F_RAW"] = pose, shown + offset
+
+    tilted = rotation_of_rpy(0.4, -0.2, 1.0)
+    show(tilted, np.zeros(3), np.zeros(3))
+    bench.on().cycle(10)
+    assert bench["F_MEZ"].tolist() == [0.0] * 6
+    show(rotation_of_rpy(-1.0, 0.3, 0.0), np.array([5.0, 0.0, -7.0]), np.array([0.0, 1.0, 0.0]))
+    assert bench.cycle()["F_MEZ"] == pytest.approx([5, 0, -7, 0, 1, 0])
+    assert bench.get("offset") == pytest.approx(3.0)

@@ -114,6 +114,21 @@ def test_what_presses_on_an_arm_is_seen_joint_by_joint(capsys, tmp_path):  # R-K
     assert np.abs(values["TAU_EXT"]).max() > 10.0
 
 
+def test_a_force_is_held_while_the_hand_goes_on_across_it(capsys, tmp_path):  # R-K05, R-B10
+    held = [placed("tool_force", 250), placed("force", 250, "LOCAL       FORCE 15", "LOCAL       FAR 0.2")]
+    lines = {"ctraj": "SVARALIAS   X_REF = X_PATH\nLOCAL       AWAY 1\nLOCAL       SETTLE 0.1\n"}
+    varied(Laboratory(tmp_path), "tryC", "cmoveC", held, lines)
+    across = "0.0 0.0 -1.0 0.0 1.0 0.0 0.7 0.29 -0.285"
+    icons = [
+        *(job("jmoveC", "Joint job"), joints("above", *ABOVE, duration=3.0)),
+        *(job("cshiftC", "Relative job"), target("near", "Relative object", "0 0 -0.16", "2.0")),
+        *(job("tryC", "Cartesian job"), target("across", "Cartesian object", across, "6.0")),
+    ]
+    values = ran(capsys, tmp_path, icons, "F_MEZ[0]", "X_MEZ[0,0]")
+    assert values["F_MEZ"][2] == pytest.approx(15.0, abs=2.0)
+    assert values["X_MEZ"][1, 3] == pytest.approx(0.29, abs=3e-3)
+
+
 def test_a_follower_does_what_its_leader_does(capsys, tmp_path):  # R-K05, R-K07
     aliases = "SVARALIAS   Q_REF = Q_LEAD", "SVARALIAS   Q^_REF = Q^_LEAD"
     leader = placed(
