@@ -1,7 +1,7 @@
 from kit.labs.library_site import TODAY, wink
 from onika.files.library_index import LibraryIndex, indexed_text
 from onika.files.library_lock import Agreement
-from onika.store.remote.agreement import agreement_of, declared, further
+from onika.store.remote.agreement import agreement_of, declared, further, stays_within
 
 
 def test_what_a_task_writes_is_said_by_the_names_that_it_uses():  # R-X16
@@ -34,3 +34,17 @@ def test_only_what_goes_further_is_new():  # R-X16
         "c": Agreement(touches=frozenset({"d:e"})),
     }
     assert further(before, now) == {"b": now["b"], "c": now["c"]}
+
+
+def test_a_quick_look_never_passes_what_a_reader_would_refuse():  # R-X16
+    texts = [wink(*outputs) for outputs in (("A",), ("A", "B"))]
+    texts += [text.replace("INCONST", "SVARALIAS   A=C\nINCONST", 1) for text in texts]
+    texts += [text.replace("EOF", "LOCAL\nDEVICE      boxes:arm\nEOF") for text in texts]
+    for text in texts:
+        agreement = agreement_of("wink", text.encode())
+        assert agreement is not None
+        assert stays_within(text.encode(), agreement)
+        for name in agreement.writes:
+            assert not stays_within(text.encode(), Agreement(agreement.writes - {name}, agreement.touches))
+        for name in agreement.touches:
+            assert not stays_within(text.encode(), Agreement(agreement.writes, agreement.touches - {name}))

@@ -7,6 +7,8 @@ from onika.files.library_index import LibraryIndex
 from onika.files.library_lock import Agreement
 
 _DEVICE = "DEVICE"
+_OUTPUTS = ("OUTCONST", "OUTVAR")
+_NONE = "none"
 _NOTHING = Agreement()
 
 
@@ -35,6 +37,26 @@ def agreement_of(name: str, content: bytes) -> Agreement | None:
         return None
     devices = (line.words[0] for line in record.task.local if line.key == _DEVICE and line.words)
     return Agreement(record.task.outputs, frozenset(devices))
+
+
+def stays_within(content: bytes, agreed: Agreement) -> bool:
+    """Whether the file of a task surely says no more than was agreed to; where that is not plain, it is to be read.
+
+    Every word of the lines in question counts, so whatever a reader makes of them is among what is looked at.
+    """
+    aliases: dict[str, set[str]] = {}
+    outputs: set[str] = set()
+    for line in content.decode("utf-8", "replace").splitlines():
+        keyword, *words = line.split() or [""]
+        if keyword == "SVARALIAS":
+            name, _, svar = "".join(words).partition("=")
+            aliases.setdefault(name, set()).add(svar)
+        elif keyword in _OUTPUTS:
+            outputs.update(words)
+        elif keyword == _DEVICE and not agreed.touches.issuperset(words[:1]):
+            return False
+    written = {svar for name in outputs - {_NONE} for svar in aliases.get(name, {name})}
+    return agreed.writes >= written
 
 
 def further(agreed: Mapping[str, Agreement], now: Mapping[str, Agreement]) -> Mapping[str, Agreement]:

@@ -13,12 +13,11 @@ from pathlib import Path
 
 from onika.files import rmod
 from onika.files.library_index import IndexedFile, LibraryIndex
-from onika.files.library_lock import Agreement, LockedLibrary
+from onika.files.library_lock import Agreement, LockedFile, LockedLibrary
 from onika.files.state.state_directory import make_own
-from onika.store.remote.agreement import agreement_of, further
+from onika.store.remote.agreement import agreement_of, further, stays_within
 from onika.store.remote.checkout_path import checkout_path
 from onika.store.remote.index_check import reopened
-from onika.store.remote.library_changes import files_of
 from onika.store.remote.object_cache import ObjectCache, write_whole
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -26,6 +25,7 @@ from onika.words.system_error import system_reason
 
 _NOT_FETCHED = b"# This code is not fetched yet: onika library fetch "
 _MODE = 0o400
+_NOTHING = Agreement()
 
 Faults = tuple[Fault, ...]
 
@@ -64,16 +64,17 @@ class Checkout:
         faults = []
         wanted = {}
         for path, file in index.files.items():
-            fault = self._unlike(path, file, index)
+            fault = self._unlike(path, file)
             if fault is None:
                 wanted[path] = file
             else:
                 faults.append(fault)
         try:
-            make_own(self.folder)
-            _prune(self.folder, wanted.keys())
+            folder = self.folder
+            make_own(folder)
+            _prune(folder, wanted.keys())
             for path, file in wanted.items():
-                self._put(path, file)
+                self._put(folder / path, file)
         except OSError as error:
             faults.append(self._fault(system_reason(error)))
         return tuple(faults)
@@ -91,26 +92,26 @@ class Checkout:
         with suppress(OSError):
             shutil.rmtree(self.folder)
 
-    def _unlike(self, path: str, file: IndexedFile, index: LibraryIndex) -> Fault | None:
+    def _unlike(self, path: str, file: IndexedFile) -> Fault | None:
         """Why a file is not used: the lock does not name it so, or its task writes more than was agreed to."""
-        place = Place(str(self.folder / path))
-        instead = Reason.of("words.file_left_out")
-        if self.locked.files.get(path) != files_of(index)[path]:
-            return Fault(place, Reason.of("store.not_as_locked", path=path), instead, is_note=True)
+        if self.locked.files.get(path) != LockedFile(file.digest, file.size):
+            return self._left_out(path, Reason.of("store.not_as_locked", path=path))
         if not path.endswith(rmod.ENDING) or file.content is None:
             return None
         task = path.rpartition("/")[2].removesuffix(rmod.ENDING)
+        if stays_within(file.content, self.locked.agreed.get(task, _NOTHING)):
+            return None
         agreement = agreement_of(task, file.content)
         more = further(self.locked.agreed, {task: agreement} if agreement else {}).get(task)
-        if more is None:
-            return None
-        return Fault(place, undeclared(task, more), instead, is_note=True)
+        return None if more is None else self._left_out(path, undeclared(task, more))
 
-    def _put(self, path: str, file: IndexedFile) -> None:
-        target = self.folder / path
+    def _left_out(self, path: str, reason: Reason) -> Fault:
+        return Fault(Place(str(self.folder / path)), reason, Reason.of("words.file_left_out"), is_note=True)
+
+    def _put(self, target: Path, file: IndexedFile) -> None:
         content = file.content if file.content is not None else self.cache.get(file.digest)
         if content is None:
-            if not path.endswith(".py"):
+            if target.suffix != ".py":
                 target.unlink(missing_ok=True)
                 return
             content = _NOT_FETCHED + self.locked.name.encode() + b"\n"
