@@ -72,6 +72,7 @@ def make(folder: Path) -> None:
 
 class _Quiet(SimpleHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
+    disable_nagle_algorithm = True  # as every real server does: else head and body of an answer take a trip each
 
     def log_message(self, *_: object) -> None:
         """Nothing is printed."""
