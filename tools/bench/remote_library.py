@@ -124,7 +124,7 @@ def ask(folder: Path, address: str, delay_s: float) -> None:
         lacking = libraries.checkout(library).lacking()  # type: ignore[arg-type]
         assert not access.bring(address, lacking[:_CLOSURE])
         times.append(perf_counter())
-        assert not access.bring(address, lacking)
+        assert not access.bring(address, lacking, offer.index)
         times.append(perf_counter())
         access.close()
         open_site([], {"XDG_CACHE_HOME": str(cache)}, home.parent)

@@ -2987,6 +2987,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "store.not_as_signed": "{path} no es el archivo que se firmó",
   "store.not_fetched": "{path} no se puede traer: {why}",
   "store.not_kept": "lo que contenía {path} no se puede conservar para recuperarlo: {why}",
+  "store.not_kept_here": "no se puede guardar nada en {path}: {why}",
   "store.not_let_in": "{host} no nos deja entrar ahí",
   "store.not_on_server": "{host} no tiene {path}",
   "store.not_signed": "no se pudo firmar: {why}",

@@ -68,6 +68,9 @@ class LibraryIndex:
     next_key: str = ""
     """The fingerprint of the key that signs from now on, where that is another."""
     description: str = ""
+    pack: str = ""
+    """The SHA-256 of one file that holds all those that do not stand here; empty: there is none."""
+    pack_size: int = 0
     files: Mapping[str, IndexedFile] = field(default_factory=dict)
     """By their paths."""
 
@@ -97,6 +100,7 @@ def write(index: LibraryIndex) -> bytes:
         row("NEXTKEY", index.next_key or NO_KEY),
         row("DESC", one_line(index.description)[: _LONGEST_LINE // 2]),
     ]
+    head += [row("PACK", str(index.pack_size), f"sha256:{index.pack}")] if index.pack else []
     parts = ["".join(head).encode()]
     for path in sorted(index.files):
         file = index.files[path]
@@ -132,10 +136,20 @@ class _Reading:
         if next_key != NO_KEY and not KEY.match(next_key):
             raise ValueError(Reason.of("files.index_line", line="NEXTKEY"))
         _, description = self._line("DESC")
+        pack, pack_size = self._pack()
+        key = "" if next_key == NO_KEY else next_key
         files = self._files()
-        return LibraryIndex(
-            name, version, made, until, "" if next_key == NO_KEY else next_key, one_line(description), files
-        )
+        return LibraryIndex(name, version, made, until, key, one_line(description), pack, pack_size, files)
+
+    def _pack(self) -> tuple[str, int]:
+        """The digest and the size of the pack, where there is one."""
+        if not self._data.startswith(b"PACK ", self._at):
+            return "", 0
+        size, digest = self._words("PACK", 2)
+        found = _DIGEST.match(digest)
+        if found is None or not _SIZE.match(size) or int(size) > LARGEST_FILE:
+            raise ValueError(Reason.of("files.index_line", line="PACK"))
+        return found[1], int(size)
 
     def _files(self) -> dict[str, IndexedFile]:
         files: dict[str, IndexedFile] = {}

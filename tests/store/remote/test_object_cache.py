@@ -26,10 +26,11 @@ def test_what_was_altered_is_as_if_it_were_not_there_and_is_kept_anew(tmp_path):
     assert cache.get(DIGEST) == b"content"
 
 
-def test_what_is_not_what_it_should_be_is_not_kept(tmp_path):  # R-X16
-    assert not ObjectCache(tmp_path).put_as(DIGEST, b"other")
-    assert list(tmp_path.rglob("*")) == []
-    assert ObjectCache(tmp_path).put_as(DIGEST, b"content")
+def test_many_things_are_kept_at_once(tmp_path):  # R-F03
+    cache = ObjectCache(tmp_path)
+    cache.put_all([b"content", b"other", b"content"])
+    assert cache.get(DIGEST) == b"content" and cache.has(sha256(b"other").hexdigest(), 5)
+    assert len([path for path in tmp_path.rglob("*") if path.is_file()]) == 2
 
 
 def test_the_cache_is_its_users_only(tmp_path):  # R-X16

@@ -1,15 +1,18 @@
 """The way to servers of libraries: who asks for files, with which password, and what of the answers is kept."""
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from hashlib import sha256
 from pathlib import Path
 
-from onika.files.library_index import LARGEST_FILE, IndexedFile
+from onika.files.library_index import LARGEST_FILE, IndexedFile, LibraryIndex
 from onika.store.remote.address import WebAddress, library_address
+from onika.store.remote.code_pack import unpacked
 from onika.store.remote.credential import Credential, kept_credential
 from onika.store.remote.object_cache import ObjectCache
 from onika.store.remote.source import INDEX, FolderSource, LibrarySource, Wanted, object_path
 from onika.store.remote.web_connection import Limits
-from onika.store.remote.web_source import WebSource
+from onika.store.remote.web_source import CONNECTIONS, WebSource
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
 
@@ -17,6 +20,8 @@ PASSWORD_REASONS = ("store.password_needed", "store.password_wrong")
 """The keys of what a server says who wants to know who asks."""
 
 _TRIES = 3
+_FEW = 2 * CONNECTIONS
+"""Files that come as fast one by one as in a pack."""
 
 AskPassword = Callable[[str, Reason], Credential | None]
 """Of a server's name, and why it is asked; None: the user has none to give."""
@@ -55,12 +60,16 @@ class LibraryAccess:
             return NOTHING
         return self._kept(address, {object_path(digest): (digest, LARGEST_FILE)})
 
-    def bring(self, address: str, files: Iterable[IndexedFile]) -> Reason:
+    def bring(self, address: str, files: Iterable[IndexedFile], index: LibraryIndex | None = None) -> Reason:
         """Have files in the cache, all that are lacking at once; why not, where that is not possible.
 
-        What is not the file that was signed is not kept; what came before it is.
+        What is not the file that was signed is not kept; what came before it is. Many come in the pack of their
+        `index`, where it has one.
         """
-        lacking = (file for file in files if self.cache.get(file.digest) is None)
+        lacking = self._lacking(files)
+        if index is not None and index.pack and len(lacking) > _FEW:
+            self._bring_pack(address, index)
+            lacking = self._lacking(lacking)
         return self._kept(address, {object_path(file.digest): (file.digest, file.size) for file in lacking})
 
     def hang_up(self) -> None:
@@ -68,6 +77,17 @@ class LibraryAccess:
         for source in self._sources.values():
             source.close()
         self._sources.clear()
+
+    def _lacking(self, files: Iterable[IndexedFile]) -> list[IndexedFile]:
+        return [file for file in files if self.cache.get(file.digest) is None]
+
+    def _bring_pack(self, address: str, index: LibraryIndex) -> None:
+        """Keep what the pack of an index holds; where it does not come, or is not good, files come one by one."""
+        path = object_path(index.pack)
+        answer = self._fetch(address, [Wanted(path, index.pack_size)])
+        if not isinstance(answer, Reason):
+            with suppress(OSError):  # it will be told of the file that cannot be written alone either
+                self.cache.put_all(unpacked(answer[path], index).values())
 
     def close(self) -> None:
         """End all connections and forget all passwords."""
@@ -80,14 +100,13 @@ class LibraryAccess:
         answer = self._fetch(address, [Wanted(path, size) for path, (_, size) in wanted.items()])
         if isinstance(answer, Reason):
             return answer
-        for path, content in answer.items():
-            try:
-                is_as_signed = self.cache.put_as(wanted[path][0], content)
-            except OSError as error:
-                return Reason.of("store.not_fetched", path=path, why=system_reason(error))
-            if not is_as_signed:
-                return Reason.of("store.not_as_signed", path=path)
-        return NOTHING
+        good = {path: content for path, content in answer.items() if sha256(content).hexdigest() == wanted[path][0]}
+        try:
+            self.cache.put_all(good.values())
+        except OSError as error:
+            return Reason.of("store.not_kept_here", path=str(self.cache.folder), why=system_reason(error))
+        altered = sorted(answer.keys() - good.keys())
+        return Reason.of("store.not_as_signed", path=altered[0]) if altered else NOTHING
 
     def _fetch(self, address: str, wanted: list[Wanted], *, expects_more: bool = False) -> Mapping[str, bytes] | Reason:
         """Files from their place; a password is asked for where the server wants one."""

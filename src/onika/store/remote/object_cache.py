@@ -2,7 +2,7 @@
 
 import os
 import secrets
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
@@ -41,12 +41,15 @@ class ObjectCache:
             write_whole(self._file(digest), content)
         return digest
 
-    def put_as(self, digest: str, content: bytes) -> bool:
-        """Keep something if it has this SHA-256; whether it has. Raises OSError."""
-        if sha256(content).hexdigest() != digest:
-            return False
-        self.put(content)
-        return True
+    def put_all(self, contents: Iterable[bytes]) -> None:
+        """Keep many things: they are written first, and only then waited for. Raises OSError."""
+        new = {sha256(content).hexdigest(): content for content in contents}
+        written = [digest for digest in new if self.get(digest) is None]
+        for digest in written:
+            write_whole(self._file(digest), new[digest], is_lasting=False)
+        for digest in written:
+            with self._file(digest).open("rb") as file:
+                os.fsync(file.fileno())
 
     def has(self, digest: str, size: int) -> bool:
         """Whether something of that name and size is there; what it holds is looked at when it is opened."""

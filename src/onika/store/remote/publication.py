@@ -12,6 +12,7 @@ import zstandard
 
 from onika.files import library_index
 from onika.files.library_index import IndexedFile, LibraryIndex, indexed_text
+from onika.store.remote.code_pack import packed
 from onika.store.remote.index_check import opened
 from onika.store.remote.object_cache import write_whole
 from onika.store.remote.signature import sign
@@ -79,7 +80,11 @@ class Publisher:
         if too_many:
             return Reason.of("files.index_many", most=library_index.MOST_FILES)
         until = today + timedelta(days=days)
-        index = LibraryIndex(self.name, former + 1, today, until, next_key, description, files)
+        pack = packed(objects)
+        if len(pack) > library_index.LARGEST_FILE:
+            pack = b""
+        named = sha256(pack).hexdigest() if pack else ""
+        index = LibraryIndex(self.name, former + 1, today, until, next_key, description, named, len(pack), files)
         body = zstandard.ZstdCompressor(level=_LEVEL).compress(library_index.write(index))
         signed = sign(body, self.key)
         if isinstance(signed, Reason):
@@ -87,7 +92,7 @@ class Publisher:
         found = opened(signed)
         if isinstance(found, Reason):
             return found
-        for content in (*objects, signed):
+        for content in (*objects.values(), *([pack] if pack else []), signed):
             target = self.folder / object_path(sha256(content).hexdigest())
             target.parent.mkdir(parents=True, exist_ok=True)
             if not target.exists():
@@ -107,10 +112,11 @@ class Publisher:
             return Reason.of("store.former_other", path=str(path), library=found.index.name)
         return found.index.version
 
-    def _gathered(self) -> tuple[dict[str, IndexedFile], list[bytes], tuple[str, ...]]:
+    def _gathered(self) -> tuple[dict[str, IndexedFile], dict[str, bytes], tuple[str, ...]]:
         """The files, what of them does not stand in the index, and the paths of those that are left out."""
         files: dict[str, IndexedFile] = {}
-        objects, left_out = [], []
+        objects: dict[str, bytes] = {}
+        left_out = []
         for path in _paths(self.base):
             name = path.relative_to(self.base).as_posix()
             if not library_index.is_path(name) or path.stat().st_size > library_index.LARGEST_FILE:
@@ -121,7 +127,7 @@ class Publisher:
                 files[name] = indexed_text(name, content)
             else:
                 files[name] = IndexedFile(name, len(content), sha256(content).hexdigest())
-                objects.append(content)
+                objects[name] = content
         return files, objects, tuple(left_out)
 
 

@@ -122,7 +122,8 @@ class RemoteLibraries:
         if missing:
             return missing
         checkout = self.checkout(library)
-        failed = self.access.bring(library.address, checkout.lacking())
+        index = checkout.index()
+        failed = self.access.bring(library.address, checkout.lacking(), None if isinstance(index, Reason) else index)
         checkout.put_right()
         return failed
 
