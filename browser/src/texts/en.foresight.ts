@@ -10,6 +10,7 @@ export const enForesight = {
   'whatIf.when': 'When',
   'whatIf.now': 'As it is now',
   'whatIf.planned': 'At the first step of {name}',
+  'whatIf.nothing': 'The runtime names no fault that could come.',
   'whatIf.noRuntime': 'No runtime is connected: there is nobody to ask.',
   'whatIf.looking': 'Asking…',
   'whatIf.line': 'What comes when: {instants}',

@@ -12,6 +12,7 @@ export const esForesight: Record<keyof typeof enForesight, string> = {
   'whatIf.when': 'Cuándo',
   'whatIf.now': 'Como está ahora',
   'whatIf.planned': 'En el primer paso de {name}',
+  'whatIf.nothing': 'El runtime no nombra ningún fallo que pudiera ocurrir.',
   'whatIf.noRuntime': 'No hay ningún runtime conectado: no hay a quién preguntar.',
   'whatIf.looking': 'Preguntando…',
   'whatIf.line': 'Qué viene y cuándo: {instants}',

@@ -83,7 +83,7 @@ def _behind(name: str, facts: TaskFacts, libraries: OpenLibraries, changed: Set[
         return None
     if file in changed and says_otherwise(facts.planned, task):
         return Reason.of("run.lives_as_filed_before", task=name, path=str(file))
-    if path is None or path not in changed:
+    if path is None or path not in changed or not facts.planned.digest:  # or its code is the runtime's own
         return None
     code = code_of(task.module, libraries, name)
     is_same = not isinstance(code, Reason) and code.digest == facts.planned.digest

@@ -63,6 +63,22 @@ def test_a_task_that_is_on_while_another_program_writes_its_code_is_asked_about_
     assert behind(duet, doc) == {}
 
 
+def test_a_task_whose_code_is_the_runtimes_own_is_behind_no_file(duet):  # R-A19
+    doc = duet.connected("a")
+
+    def own(model):
+        document = model.documents[doc]
+        facts = document.live.tasks["a"]
+        facts = replace(facts, planned=msgspec.structs.replace(facts.planned, digest=""))
+        living = replace(document.live, tasks={**document.live.tasks, "a": facts})
+        return Done(replace(model, documents={**model.documents, doc: replace(document, live=living)}))
+
+    duet.environment.become(own)
+    written(duet, duet.base.code_file("a"), "# other code\n")
+    described(duet, "a")
+    assert (behind(duet, doc), duet.says) == ({}, [])
+
+
 def test_a_file_that_says_other_things_of_a_living_task_is_taken_over_by_one_button(duet):  # law 21, R-C04
     doc = duet.connected("a")
     duet.do(act.Toggle(doc, "a"))

@@ -58,7 +58,8 @@ def _reason(name: str, planned: PlannedTask, task: Task, libraries: OpenLibrarie
     if says_otherwise(planned, task):
         return Reason.of("run.lives_as_filed_before", task=name, path=str(libraries.task_file(name)))
     digest = libraries.digests.get(task.module, planned.digest)
-    if digest == planned.digest or not _is_described_by(name, task.module, libraries):
+    is_from_files = planned.digest != ""  # else the runtime has code of its own for it
+    if not is_from_files or digest == planned.digest or not _is_described_by(name, task.module, libraries):
         return NOTHING
     return Reason.of("run.lives_with_older_code", task=name, path=str(libraries.code_file(name)))
 
