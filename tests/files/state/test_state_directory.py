@@ -66,6 +66,7 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         "diary",
         "diary/a.log",
         "black-boxes",
+        "library-tokens",
         "replaced",
     }
     assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery", "replaced", "meshes"}

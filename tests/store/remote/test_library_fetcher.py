@@ -61,6 +61,7 @@ def test_a_program_fetches_its_own_code_at_once_and_no_other(tmp_path, site):  #
     assert (folder / "robot/arm.xml").is_file()
     assert not is_fetched(folder / "module/unused.py")
     assert len(server.asked) == 2
+    assert load(path, search_path, types)[1] == ()  # the server is gone: nobody is asked again
 
 
 def test_a_program_whose_code_cannot_be_fetched_is_told_and_not_run(tmp_path, site):  # R-X16

@@ -1,7 +1,7 @@
 """Fetches what a program needs of libraries of others, all at once, before anything of it is read (F03)."""
 
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from onika.files.library_index import IndexedFile
@@ -22,6 +22,8 @@ class LibraryFetcher:
 
     checkouts: Sequence[Checkout]
     access: LibraryAccess
+    brought: set[tuple[Path, frozenset[str]]] = field(default_factory=set, compare=False)
+    """What was asked for and is here, so that a program that is read again and again looks once."""
 
     def bring(self, paths: Iterable[Path]) -> Faults:
         """Have these files here where they are of a library, with its models and nets; what does not come is told."""
@@ -29,13 +31,15 @@ class LibraryFetcher:
         needed = tuple(paths)
         for checkout in self.checkouts:
             wanted = _within(checkout.folder, needed)
-            if not wanted:
+            if not wanted or (checkout.folder, wanted) in self.brought:
                 continue
             lacking = [file for file in checkout.lacking() if _is_needed(file, wanted)]
             failed = self.access.bring(checkout.locked.address, lacking)
             if lacking:
                 checkout.put_right()
-            if failed:
+            if not failed:
+                self.brought.add((checkout.folder, wanted))
+            else:
                 place = Place(checkout.locked.address)
                 faults.append(Fault(place, failed, Reason.of("store.used_as_is"), is_note=True))
         self.access.hang_up()
@@ -70,9 +74,9 @@ def checkouts_of(bases: Iterable[Path], cache: ObjectCache) -> tuple[tuple[Check
     return tuple(checkouts.values()), tuple(faults)
 
 
-def _within(folder: Path, paths: Iterable[Path]) -> Set[str]:
+def _within(folder: Path, paths: Iterable[Path]) -> frozenset[str]:
     """Those of the paths that lie in a folder, as they are called there."""
-    return {path.relative_to(folder).as_posix() for path in paths if path.is_relative_to(folder)}
+    return frozenset(path.relative_to(folder).as_posix() for path in paths if path.is_relative_to(folder))
 
 
 def _is_needed(file: IndexedFile, wanted: Set[str]) -> bool:
