@@ -50,7 +50,14 @@ DONE = {
 }
 
 
-@pytest.mark.parametrize("done", DONE.values(), ids=DONE.keys())
+LIKE_OTHERS = {"a hand that only waves", "a hand goes too deep", "a hand closes on nothing"}
+"""What small worlds of the tests show too: these wait for the long tests."""
+
+
+@pytest.mark.parametrize(
+    "done",
+    [pytest.param(done, id=name, marks=pytest.mark.slow if name in LIKE_OTHERS else ()) for name, done in DONE.items()],
+)
 def test_the_same_is_told_of_the_same_devices(done):  # R-E16, R-X19
     told = []
     for world in (BoxesWorld(), boxes_world()):
