@@ -3186,6 +3186,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.device_left_out": "se omite {name}",
   "workcell.draft_arm": "{count} {count:plural:articulación|articulaciones}, desde la base: {joints}",
   "workcell.draft_axes": "supuesto: la dirección de la última articulación a la herramienta",
+  "workcell.draft_camera": "una cámara del modelo; quite las que nadie necesite, cada una cuesta tiempo donde se usa",
   "workcell.draft_coupled": "{count} {count:plural:articulación sigue|articulaciones siguen} a otra, y no {count:plural:recibe|reciben} motor",
   "workcell.draft_endless": "sin límites en {joints:and}: giran una vuelta entera a cada lado, o deslizan 10 m",
   "workcell.draft_fault": "se omite: {reason}",

@@ -19,6 +19,7 @@ from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.draft_cameras import draft_cameras
 from onika.workcell.composed.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
 from onika.workcell.composed.draft_gripper import DraftHand, draft_hand
 from onika.workcell.composed.draft_motion import (
@@ -65,7 +66,9 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
     home = _home(model, chain)
     hand = draft_hand(model, chain, home)
     tool = draft_tool(model, _data(model, chain, home), chain, hand.fingers)
-    robot = RobotText(name, file, name, devices=tuple(_devices(model, chain, tool, hand)))
+    devices = tuple(_devices(model, chain, tool, hand))
+    cameras = draft_cameras(model, [device.name for device in devices])
+    robot = RobotText(name, file, name, devices=devices, cameras=cameras)
     faults: list[Fault] = []
     known = robot_model(sources, robot, faults)
     arm = next((facts for facts in known.joints if facts.start), None) if known else None
@@ -86,7 +89,9 @@ def _complete(
     chain, _, hand = guesses
     usable = {facts.name for facts in known.joints} | {facts.gripper.name for facts in known.grippers}
     devices = tuple(_filled(device, arm) for device in known.robot.devices if device.name in usable)
-    robot = RobotText(known.robot.name, known.robot.file, known.robot.description, devices=devices)
+    robot = RobotText(
+        known.robot.name, known.robot.file, known.robot.description, devices=devices, cameras=known.robot.cameras
+    )
     away = beside_home(model, arm, known.excluded)
     lowest = lowest_point(model, arm, (arm.home, away))
     floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
@@ -177,6 +182,8 @@ def _comments(
         yield "GRIPPER", "OPEN", hand.origin
     if any(device.name == "others" for device in robot.devices):
         yield "AXES", "AXES", Reason.of("workcell.draft_others")
+    if robot.cameras:
+        yield "CAMERA", "CAMERA", Reason.of("workcell.draft_camera")
 
 
 def _missing(model: Any, chain: DraftChain, arm: JointFacts, sources: SourceTexts, file: str) -> Iterator[Reason]:
