@@ -26,3 +26,13 @@ def test_a_place_is_of_the_last_number_that_has_it():
     words.permit(9)
     words.revoke(1)
     assert (words.is_permitted(1), words.is_permitted(9)) == (False, True)
+
+
+def test_what_is_revoked_is_not_permitted_and_neighbours_keep_what_they_were_told():
+    words = BeginWords()
+    words.permit(1)
+    words.revoke(1)
+    assert not words.is_permitted(1)
+    words.confirm(1)
+    words.permit(2)
+    assert (words.is_confirmed(1), words.is_permitted(2), SIZE) == (True, True, 128)

@@ -77,3 +77,9 @@ def test_what_the_runtime_permits_and_confirms_its_unit_sees_and_last_words_stay
     supervisor.begin_words.confirm(7)
     assert (process.begin_words.is_permitted(8), process.begin_words.is_confirmed(7)) == (True, True)
     assert supervisor.reason == Reason.plain("x" * 1_500)
+
+
+def test_what_is_permitted_lies_at_the_end_far_behind_the_last_words():  # law 34
+    segment = Segment.create("beat", SIZE)
+    Heartbeat(segment).begin_words.permit(8)
+    assert bytes(segment.view[3968:3976]) == (8).to_bytes(8, "little")

@@ -1,5 +1,6 @@
 from hashlib import blake2b
 
+from onika.link.datagrams import pact
 from onika.link.datagrams.pact import Pact
 
 NAME, KEY = bytes(range(8)), bytes(range(32))
@@ -32,4 +33,5 @@ def test_each_pact_is_another_and_none_shows_its_key():
     first = Pact.drawn()
     assert first != Pact.drawn()
     assert (len(first.name), len(first.key)) == (8, 32)
+    assert (pact.NAME, pact.COUNT, pact.SEAL, pact.KEY) == (8, 8, 16, 32)
     assert repr(PACT) == f"Pact(name={NAME.hex()})"

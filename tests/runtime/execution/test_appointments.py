@@ -71,3 +71,8 @@ def test_after_a_stop_those_that_have_not_begun_are_named(words, appointments):
     appointments.keep(later)
     assert appointments.next_ns == 180 * MS
     assert (appointments.drop_all(), appointments.next_ns) == ([later], NEVER)
+
+
+def test_without_appointments_nothing_is_ever_due(words):
+    assert (Appointments(words).next_ns, NEVER) == (NEVER, 2**63)
+    assert [step.value for step in AppointmentStep] == ["begin", "miss", "hold"]

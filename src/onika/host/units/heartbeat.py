@@ -2,14 +2,14 @@
 
 from time import monotonic_ns
 
-from onika.ring.begin_words import BeginWords
-from onika.ring.last_words import SIZE as LAST_WORDS, LastWords
+from onika.ring.begin_words import SIZE as BEGIN_WORDS, BeginWords
+from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
 
 SIZE = 4096
 _LAST_WORDS_AT = 64
-_BEGIN_WORDS_AT = 64 + LAST_WORDS
+_BEGIN_WORDS_AT = SIZE - BEGIN_WORDS
 
 
 class Heartbeat:
