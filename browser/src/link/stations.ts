@@ -1,5 +1,6 @@
 // The stations of the environment: runtimes with which it is connected, each by its name; that of the first is empty.
 import type { RuntimeView } from '../api.gen'
+import { workspace } from '../state/workspace.svelte'
 import type { FullTree } from './desk.svelte'
 
 export type Station = [name: string, runtime: RuntimeView]
@@ -24,3 +25,12 @@ export function worldAt(name: string): [station: string, world: string] {
 /** The stations at which all is stopped. */
 export const stoppedIn = (tree: FullTree): Station[] =>
   stationsIn(tree).filter(([, runtime]) => runtime.is_stopped === true)
+
+/** The station at which all flows of an application are carried out, else the first one; of the one shown where none is named. */
+export function stationFor(tree: FullTree, doc = workspace.app): string {
+  const placed = Object.values(tree.applications[doc]?.stations ?? {})
+  return new Set(placed).size === 1 ? placed[0]! : ''
+}
+
+/** The runtime there. */
+export const runtimeFor = (tree: FullTree, doc = workspace.app): RuntimeView => runtimeAt(tree, stationFor(tree, doc))

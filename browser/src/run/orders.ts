@@ -2,6 +2,7 @@
 import { act } from '../act/act'
 import type { FlowRunView, RunView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
+import { runtimeFor, stationFor } from '../link/stations'
 import { canBePutBack } from '../progress/displaced'
 import { isSimulator } from '../progress/recording'
 import { options } from '../state/options.svelte'
@@ -35,7 +36,7 @@ export const start = (doc: string, putsBack = false, endsFormer = false): Promis
     ...(endsFormer ? { ends_former: true } : {}),
     passes_breakpoints: options.passesBreakpoints,
     is_recorded: options.records,
-    on_loss: desk.live.runtime.address ? options.onLoss : 'stop',
+    on_loss: runtimeFor(desk.live).address ? options.onLoss : 'stop',
   })
 /** The application whose run is shown: what is steered is what is seen. */
 const shownDoc = (): string => desk.live.run?.doc ?? ''
@@ -44,11 +45,11 @@ export const steer = (verb: string, flow = '', doc = shownDoc()): Promise<unknow
   act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb, doc })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss', doc: shownDoc() })
 /** Everything to where it stood at the start, in the same runtime; a simulator of a recorded run is left. */
-export const putBack = (): Promise<unknown> => (isSimulator(desk.live.runtime) ? startAnew() : act({ t: 'PutBack' }))
+export const putBack = (): Promise<unknown> => (isSimulator(runtimeFor(desk.live)) ? startAnew() : act({ t: 'PutBack', station: stationFor(desk.live) }))
 export const startAnew = (): Promise<unknown> => act({ t: 'StartAnew' })
 /** Begin as the black button says: where something has left its place it is put back first. */
 export const startAfresh = (doc: string): Promise<unknown> =>
-  start(doc, canBePutBack(desk.live.runtime, desk.live.applications[doc]))
+  start(doc, canBePutBack(runtimeFor(desk.live), desk.live.applications[doc]))
 
 /** End the run that stands, put everything back and begin anew. */
 export const startOver = (doc: string): Promise<unknown> => start(doc, true, true)

@@ -3,6 +3,7 @@ import { untrack } from 'svelte'
 import { announce } from '../state/announce'
 import type { RunView } from '../api.gen'
 import { desk, runsIn } from '../link/desk.svelte'
+import { runtimeFor } from '../link/stations'
 import { isReviewing, review } from '../recording/review.svelte'
 import { RunClock } from '../progress/clock'
 import { t } from '../texts/index.svelte'
@@ -32,7 +33,7 @@ export const runTime = {
 const now_s = (): number =>
   clocks
     .get(desk.live.run?.number ?? 0)
-    ?.at(performance.now() / 1000, desk.live.runtime.is_virtual === true && !isSimulator(desk.live.runtime)) ?? 0
+    ?.at(performance.now() / 1000, runtimeFor(desk.live).is_virtual === true && !isSimulator(runtimeFor(desk.live))) ?? 0
 
 /** What a run says now. */
 function take(run: RunView): void {

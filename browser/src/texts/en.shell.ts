@@ -280,6 +280,7 @@ export const enShell = {
   'library.objection': 'would not run',
   'library.faults': '{n} file left out|{n} faults in files',
   'stations.onAt': 'It is on at {name}',
+  'stations.runsAt': 'Runs at',
   'stations.title': 'Stations',
   'stations.first': 'here',
   'stations.linked': 'is there',

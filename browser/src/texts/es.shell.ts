@@ -283,6 +283,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'library.objection': 'no funcionaría',
   'library.faults': '{n} archivo excluido|{n} faltas en archivos',
   'stations.onAt': 'Está en marcha en {name}',
+  'stations.runsAt': 'Se ejecuta en',
   'stations.title': 'Estaciones',
   'stations.first': 'aquí',
   'stations.linked': 'está',

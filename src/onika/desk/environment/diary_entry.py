@@ -101,6 +101,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Connect: ("connect", "conf"),
     act.AddStation: ("add_station", "main"),
     act.RemoveStation: ("remove_station", "main"),
+    act.PlaceFlow: ("place_flow", "appl"),
     act.Disconnect: ("disconnect", "conf"),
     act.KeepAlive: ("keep_conf", "conf"),
     act.SwitchTo: ("switch_conf", "conf"),

@@ -57,6 +57,7 @@ from onika.desk.environment.review import (
 from onika.desk.environment.runs import (
     begin,
     configuration_recording,
+    flow_stations,
     forecaster,
     foresight,
     kept_test,
@@ -134,6 +135,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Connect: connection.connect,
     act.AddStation: stations.add_station,
     act.RemoveStation: stations.remove_station,
+    act.PlaceFlow: flow_stations.place_flow,
     act.Disconnect: connection.disconnect,
     act.KeepAlive: kept_alive.keep_alive,
     act.SwitchTo: kept_alive.switch_to,

@@ -56,4 +56,6 @@ def _of_file(model: Model, doc: str) -> str:
     if doc in model.documents:
         return model.documents[doc].station
     run = model.run_of(doc) if doc else model.run
-    return "" if run is None or run.is_over else run.station
+    if run is not None and not run.is_over:
+        return run.station
+    return (model.applications[doc].lone_station or "") if doc in model.applications else ""

@@ -175,7 +175,11 @@ from onika.wire.act.running import (
     Watch as Watch,
     WriteVariable as WriteVariable,
 )
-from onika.wire.act.station import AddStation as AddStation, RemoveStation as RemoveStation
+from onika.wire.act.station import (
+    AddStation as AddStation,
+    PlaceFlow as PlaceFlow,
+    RemoveStation as RemoveStation,
+)
 
 AnyAct = (
     New
@@ -234,6 +238,7 @@ AnyAct = (
     | DropLibrary
     | Connect
     | AddStation
+    | PlaceFlow
     | RemoveStation
     | Disconnect
     | KeepAlive

@@ -16,6 +16,15 @@ class AddStation(Act, frozen=True):
     keeps: bool = False
 
 
+class PlaceFlow(Act, frozen=True):
+    """Have a flow of an application carried out at a station while it is open; its file stays as it is (E12, F02)."""
+
+    doc: str
+    flow: str
+    """The subsystem of the flow, `flow0`; empty: every flow."""
+    station: str = ""
+
+
 class RemoveStation(Act, frozen=True):
     """Leave the runtime of a station; what runs there goes on as its holder's loss would have it."""
 

@@ -46,6 +46,10 @@ def remove_station(model: Model, command: act.RemoveStation, _outside: Services)
     after = ended.model
     for document in there.documents_here.values():
         after = after.with_document(_without_station(document))
+    for opened in after.applications.values():
+        if name in opened.stations.values():
+            stations = {flow: station for flow, station in opened.stations.items() if station != name}
+            after = after.with_application(replace(opened, stations=stations))
     after = after.at("").without_station(name)
     return Done(after, says=ended.says, news=(*ended.news, *given_up(model, after)))
 

@@ -33,7 +33,16 @@ from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.run import Run, begun
-from onika.desk.environment.runs import beside, flow_placement, put_back, recording, takeover, unit_choice, unsaved
+from onika.desk.environment.runs import (
+    beside,
+    flow_placement,
+    flow_stations,
+    put_back,
+    recording,
+    takeover,
+    unit_choice,
+    unsaved,
+)
 from onika.desk.environment.runs.obstacles import documents_in_the_way, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
@@ -146,6 +155,9 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         return complaint
     if prepared.plan is None:
         return No(Reason.of("run.has_nothing", name=opened.name))
+    apart = flow_stations.refused(opened, prepared.plan)
+    if apart is not None:
+        return apart
     is_unsaved = unsaved.refused(opened, changed, command)
     in_the_way = documents_in_the_way(model, prepared.plan)
     if is_unsaved is not None and (command.confirmed or not in_the_way):

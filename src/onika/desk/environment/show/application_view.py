@@ -54,7 +54,7 @@ class ApplicationProjector:
     def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
         """The application as it is now; `order` is its place among those that are open."""
         self._look(opened, model)
-        looked = opened.looked_at(model.runtime.address)
+        looked = opened.looked_at(model.runtime_at(opened.lone_station or "").address)
         return ApplicationView(
             name=opened.name,
             order=order,
@@ -72,6 +72,7 @@ class ApplicationProjector:
             is_judged=opened.is_judged,
             is_checked=looked is not None,
             is_running=is_running,
+            stations=dict(opened.stations),
             redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
             forecast=_forecast(opened),
             worlds=dict(opened.judgement.worlds) if opened.judgement is not None else {},

@@ -89,6 +89,8 @@ class OpenApplication(OpenFile[Application, Application]):
     """The last one, which may be of an earlier content."""
     redirects: tuple[Redirect, ...] = ()
     """The tasks that stand for others as long as it is open."""
+    stations: Mapping[str, str] = field(default_factory=dict)
+    """Where its flows are carried out as long as it is open, by subsystem; the empty one stands for all others."""
     marks: Mapping[int, Reason] = field(default_factory=dict)
     """What became of steps when a runtime looked at them last, by their numbers."""
     looked: PreflightResult | None = None
@@ -112,6 +114,16 @@ class OpenApplication(OpenFile[Application, Application]):
         if self.opened is None:
             return any(flow.steps for flow in self.application.flows)
         return self.application != self.opened.value
+
+    def station_of(self, subsystem: str) -> str:
+        """Where a flow is carried out; empty: at the first station."""
+        return self.stations.get(subsystem, self.stations.get("", ""))
+
+    @property
+    def lone_station(self) -> str | None:
+        """The station at which all its flows are carried out; None: they are at several."""
+        stations = {self.station_of(f"flow{number}") for number in range(len(self.application.flows))}
+        return next(iter(stations or {self.station_of("")})) if len(stations) < 2 else None
 
     @property
     def is_judged(self) -> bool:
