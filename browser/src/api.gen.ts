@@ -1794,6 +1794,7 @@ export interface FlowRunView {
   is_nested?: boolean;
   text?: Reason;
   worlds?: (string)[];
+  station?: string;
 }
 
 /** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */

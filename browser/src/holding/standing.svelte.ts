@@ -1,13 +1,13 @@
 // Who holds what, as the page knows it now; and a clock for what ends by itself.
 import { desk, runsIn } from '../link/desk.svelte'
-import { stationsIn } from '../link/stations'
+import { stationIn, stationsIn } from '../link/stations'
 import type { RuntimeView, SessionView } from '../api.gen'
 import { heldIn, meIn, type Held } from './held'
 
 const own = (station: string): string[] =>
   runsIn(desk.now)
-    .filter((run) => run.state !== 'over' && (run.station ?? '') === station)
-    .flatMap((run) => Object.keys(run.flows ?? {}))
+    .filter((run) => run.state !== 'over')
+    .flatMap((run) => Object.keys(run.flows ?? {}).filter((flow) => stationIn(run, flow) === station))
 
 /** Everything that lives at all stations, those of the first one ahead. */
 export const everything = (): Held[] =>

@@ -1,5 +1,5 @@
 // The stations of the environment: runtimes with which it is connected, each by its name; that of the first is empty.
-import type { RuntimeView } from '../api.gen'
+import type { RunView, RuntimeView } from '../api.gen'
 import { workspace } from '../state/workspace.svelte'
 import type { FullTree } from './desk.svelte'
 
@@ -34,3 +34,7 @@ export function stationFor(tree: FullTree, doc = workspace.app): string {
 
 /** The runtime there. */
 export const runtimeFor = (tree: FullTree, doc = workspace.app): RuntimeView => runtimeAt(tree, stationFor(tree, doc))
+
+/** Where a flow of a run is carried out. */
+export const stationIn = (run: RunView, subsystem: string): string =>
+  run.flows?.[subsystem]?.station || (run.station ?? '')

@@ -1,7 +1,7 @@
 // What lives inside running applications, and how its tasks and the icons of the application lead to each other.
 import type { RunView, SubsystemView } from '../api.gen'
 import { desk, runsIn } from '../link/desk.svelte'
-import { stationsIn } from '../link/stations'
+import { stationIn, stationsIn } from '../link/stations'
 
 const INTO = '@'
 /** Ahead of others in a table of what needs a look. */
@@ -17,6 +17,12 @@ export const inside = (): Record<string, SubsystemView> =>
     ),
   )
 
+/** A flow of a run, as its subsystem is named beside those of other stations. */
+export function placedIn(run: RunView, flow: string): string {
+  const station = stationIn(run, flow)
+  return station ? flow + BEHIND + station : flow
+}
+
 const bare = (subsystem: string): string => subsystem.split(BEHIND)[0]!
 const stationOf = (subsystem: string): string => subsystem.split(BEHIND)[1] ?? ''
 
@@ -27,7 +33,7 @@ export const subsystemOf = (id: string): string => (id.startsWith(INTO) ? id.sli
 /** The run that goes on in a subsystem, of all that go on side by side; where none is named, the one that is shown. */
 export const runIn = (subsystem = ''): RunView | undefined =>
   runsIn(desk.tree).find(
-    (run) => bare(subsystem) in (run.flows ?? {}) && (run.station ?? '') === stationOf(subsystem),
+    (run) => bare(subsystem) in (run.flows ?? {}) && stationIn(run, bare(subsystem)) === stationOf(subsystem),
   ) ??
   desk.tree.run ??
   undefined
@@ -45,11 +51,11 @@ export function stepOf(subsystem: string, task: string): number {
 /** The subsystem in which a step of the application that runs is carried out, or would be; empty: in none. */
 export function subsystemAt(step: number): string {
   const run = desk.tree.run
-  const placed = (subsystem: string): string => (run?.station ? subsystem + BEHIND + run.station : subsystem)
   const now = Object.entries(run?.flows ?? {}).find(([, flow]) => flow.step === step)?.[0]
-  if (now && placed(now) in inside()) return placed(now)
+  if (run && now && placedIn(run, now) in inside()) return placedIn(run, now)
   const address = Object.entries(stepsByTask()).find(([, steps]) => steps.includes(step))?.[0] ?? ''
-  const subsystem = placed(address.slice(0, address.lastIndexOf('/')))
+  const flow = address.slice(0, address.lastIndexOf('/'))
+  const subsystem = run ? placedIn(run, flow) : flow
   return subsystem in inside() ? subsystem : ''
 }
 

@@ -45,7 +45,8 @@ export const steer = (verb: string, flow = '', doc = shownDoc()): Promise<unknow
   act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb, doc })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss', doc: shownDoc() })
 /** Everything to where it stood at the start, in the same runtime; a simulator of a recorded run is left. */
-export const putBack = (): Promise<unknown> => (isSimulator(runtimeFor(desk.live)) ? startAnew() : act({ t: 'PutBack', station: stationFor(desk.live) }))
+export const putBack = (): Promise<unknown> =>
+  isSimulator(runtimeFor(desk.live)) ? startAnew() : act({ t: 'PutBack', station: stationFor(desk.live) })
 export const startAnew = (): Promise<unknown> => act({ t: 'StartAnew' })
 /** Begin as the black button says: where something has left its place it is put back first. */
 export const startAfresh = (doc: string): Promise<unknown> =>

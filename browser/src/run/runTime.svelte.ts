@@ -33,7 +33,8 @@ export const runTime = {
 const now_s = (): number =>
   clocks
     .get(desk.live.run?.number ?? 0)
-    ?.at(performance.now() / 1000, runtimeFor(desk.live).is_virtual === true && !isSimulator(runtimeFor(desk.live))) ?? 0
+    ?.at(performance.now() / 1000, runtimeFor(desk.live).is_virtual === true && !isSimulator(runtimeFor(desk.live))) ??
+  0
 
 /** What a run says now. */
 function take(run: RunView): void {

@@ -25,7 +25,8 @@ def _changed(before: Model, after: Model, run: Run) -> tuple[Order, ...]:
         return ()
     former, now = _breakpoints(old), _breakpoints(new)
     changed = [step for step in {**former, **now} if former.get(step) != now.get(step)]
-    return tuple(Order(mark, _marked, station=run.station) for step in changed for mark in _mark(run, step, now))
+    marks = [mark for step in changed for mark in _mark(run, step, now)]
+    return tuple(Order(mark, _marked, station=run.station_of(mark.subsystem)) for mark in marks)
 
 
 def _mark(run: Run, step: int, now: dict[int, str]) -> Iterator[steer.Mark]:

@@ -8,7 +8,7 @@ from msgspec import structs
 from onika.desk.environment.outcome.outcome import Done, EditEnd, No, Order, RunEnd
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.run_state import flow_progress, halted_arm, run_view
+from onika.desk.environment.run_state import flow_progress, halted_arm, run_parts, run_view
 from onika.desk.environment.run_state.recording_size import with_recording_size
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
@@ -26,8 +26,11 @@ def after_event(model: Model, message: event.Event) -> Done:
         return Done(model)
     if isinstance(message, event.Edited) and run.view.state == "beginning":
         return _edited(model, run, message)
-    now = flow_progress.after(run, message)
-    if now is run:
+    former, (run, told) = run, run_parts.of_whole(run, message, model.station)
+    if told is None:  # the end of a part
+        return Done(model.with_run(run))
+    now, message = flow_progress.after(run, told), told
+    if now is former:
         return Done(model)
     if isinstance(message, event.Result):
         now = with_recording_size(now)
@@ -53,7 +56,22 @@ def _lost(model: Model, run: Run, reason: Reason) -> Done:
         news = () if run.awaits is None else ((EditEnd(run.awaits, run.station), No(reason)),)
         return Done(model.with_run(replace(run, awaits=None)), news=news)
     cause = Reason.of("run.lost_runtime", why=reason)
+    if run.parts:
+        return part_lost(model, run, cause)
     now = with_recording_size(flow_progress.lost(run, cause, black_box_in(reason)))
+    return Done(model.with_run(now), says=(end(now),), news=((RunEnd(now.view.number), None),))
+
+
+def part_lost(model: Model, run: Run, cause: Reason) -> Done:
+    """What a station carries out of a run is not heard of any more; the rest goes on to its end."""
+    if run_parts.is_ended_at(run, model.station):
+        return Done(model)
+    nothing = event.Result(False, cause, 0, 0, 0.0, 0.0, {}, (), "")
+    run, result = run_parts.ended(run, model.station, nothing)
+    if result is None:
+        reason = Reason.of("run.what_why", what=model.station or Reason.of("desk.station_here"), why=cause)
+        return Done(model.with_run(run.noted(reason)))
+    now = flow_progress.over(run, result)
     return Done(model.with_run(now), says=(end(now),), news=((RunEnd(now.view.number), None),))
 
 

@@ -62,12 +62,13 @@ def is_going(model: Model) -> bool:
 def _home_in_run(model: Model, doc: str, name: str) -> str:
     """Where a variable `[SUBSYSTEM/]NAME` of the run of an application is; else empty."""
     run = model.run_of(doc)
-    if run is None or not name or run.station != model.station:
+    if run is None or not name:
         return ""
     try:
-        return "/".join(run.flow_index.home(name))
+        subsystem, variable = run.flow_index.home(name)
     except ValueError:
         return ""
+    return f"{subsystem}/{variable}" if run.station_of(subsystem) == model.station else ""
 
 
 def homes_within(model: Model) -> dict[str, str]:

@@ -18,6 +18,17 @@ from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
+class RunPart:
+    """The flows of a run that one of several runtimes carries out."""
+
+    station: str
+    flows: tuple[int, ...]
+    """Their numbers in the whole plan, in the order in which that runtime has them."""
+    result: event.Result | None = None
+    """How it has ended; None: it goes on."""
+
+
+@dataclass(frozen=True, slots=True)
 class Run:
     """The run of an application that goes on now, or the last one."""
 
@@ -50,6 +61,8 @@ class Run:
     """What came of live changes while the run was about to begin, by number."""
     station: str = ""
     """Where it is carried out; empty: at the first station."""
+    parts: tuple[RunPart, ...] = ()
+    """Of a run at several stations, what each carries out; empty: it is at one."""
 
     @property
     def doc(self) -> str:
@@ -65,6 +78,22 @@ class Run:
     def homes(self) -> tuple[str, ...]:
         """Its subsystems, in the order of the plan."""
         return tuple(flow.subsystem for flow in self.plan.flows)
+
+    def is_at(self, station: str) -> bool:
+        """Whether something of it is carried out at a station."""
+        return self.station == station if not self.parts else any(part.station == station for part in self.parts)
+
+    def homes_at(self, station: str) -> tuple[str, ...]:
+        """Its subsystems there."""
+        if not self.parts:
+            return self.homes if self.station == station else ()
+        flows = [flow for part in self.parts if part.station == station for flow in part.flows]
+        return tuple(self.plan.flows[flow].subsystem for flow in flows)
+
+    def station_of(self, subsystem: str) -> str:
+        """Where one of its flows is carried out."""
+        flow = self.number_of(subsystem)
+        return next((part.station for part in self.parts if flow in part.flows), self.station)
 
     def status(self, subsystem: str) -> FlowStatus:
         """Where a flow is."""

@@ -4,7 +4,7 @@ What is open is prepared as it is shown. Then the runtime is asked, one thing af
 what stands in the way, if the user wants it; to check the plan; to begin. The act is answered when the run has begun.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.control.held_subsystems import run_here
@@ -32,8 +32,9 @@ from onika.desk.environment.reconcile.following import given_up
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
-from onika.desk.environment.run_state.run import Run, begun
+from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import (
+    begin_apart,
     beside,
     flow_placement,
     flow_stations,
@@ -46,6 +47,7 @@ from onika.desk.environment.runs import (
 from onika.desk.environment.runs.obstacles import documents_in_the_way, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
+from onika.desk.environment.runs.run_start import RunStart, aborts
 from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -57,33 +59,10 @@ from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.store.site import Site
 from onika.wire import act, live, page, request, steer
-from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
-
-
-@dataclass(frozen=True, slots=True)
-class _Start:
-    """A run on its way: what is to be begun, and what there was to be seen before it."""
-
-    command: act.Run
-    name: str
-    plan: Plan
-    targets: tuple[TargetValues, ...]
-    belonging: StepMembership
-    wording: IconWording
-    troubles: FaultViews
-    durations: dict[tuple[int, int], float]
-    notes: tuple[Reason, ...]
-    began_at_s: float
-    record: str = ""
-    """The file of its recording; empty: none is made."""
-    changed: tuple[Changed, ...] = ()
-    """What it uses, or would take over, and is not saved; it is told with what is taken over."""
-    unsaved: No | None = None
-    """Why it does not run with that, where nothing is taken over."""
 
 
 def run(model: Model, command: act.Run, outside: Services) -> Procedure:
@@ -97,7 +76,7 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     if isinstance(begun_with, No):
         return begun_with
     model, start = begun_with
-    model, refused_ = yield from _begun(model, start)
+    model, refused_ = yield from begin_apart.begun(model, start) if start.stations else _begun(model, start)
     if refused_ is not None:
         back = putting_back.due(_without_it(model, before))  # it does not run: what was there before comes back
         yield InterimModel(back.model, orders=back.orders)
@@ -114,8 +93,10 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
 def _said_before(run: Run) -> tuple[Order, ...]:
     """What the user has said of it before it had begun."""
     if run.is_given_up:
-        return (Order(request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0])),)
-    return tuple(Order(steer.Pause(home)) for home in run.homes) if run.is_to_pause else ()
+        return tuple(Order(wish, station=run.station_of(wish.subsystem)) for wish in aborts(run))
+    if not run.is_to_pause:
+        return ()
+    return tuple(Order(steer.Pause(home), station=run.station_of(home)) for home in run.homes)
 
 
 def _without_former(model: Model, doc: str) -> Steps[tuple[Model, No | None]]:
@@ -123,7 +104,8 @@ def _without_former(model: Model, doc: str) -> Steps[tuple[Model, No | None]]:
     run = next((run for run in model.going if run.doc == doc and run.view.state != "beginning"), None)
     if run is None:
         return model, None
-    model, response = yield Ask(model, request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0]))
+    for wish in aborts(run):
+        model, response = yield Ask(model.at(run.station_of(wish.subsystem)), wish)
     if any(other.view.number == run.view.number for other in model.going):
         if not isinstance(response, request.Done):
             return model, No(refusal(response))
@@ -131,7 +113,7 @@ def _without_former(model: Model, doc: str) -> Steps[tuple[Model, No | None]]:
     return model, None
 
 
-def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _Start] | No:
+def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, RunStart] | No:
     """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
     opened = model.applications.get(command.doc)
     if opened is None:
@@ -165,7 +147,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
     file = recording.place(model, command, opened.name, outside)
     if isinstance(file, No):
         return file
-    return model, _Start(
+    return model, RunStart(
         command=command,
         name=opened.name,
         plan=prepared.plan,
@@ -179,6 +161,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         record="" if file is None else str(file),
         changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
         unsaved=is_unsaved,
+        stations={} if opened.lone_station is not None else flow_stations.placed(opened, prepared.plan),
     )
 
 
@@ -246,21 +229,12 @@ def _without_it(model: Model, before: Model) -> Model:
     return replace(model, run=former, beside=others)
 
 
-def _new(model: Model, start: _Start) -> Run:
-    run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.wording)
-    run = replace(run, durations=start.durations, station=model.station)
-    run = run.shown(recording=start.record, station=model.station)
-    for note in start.notes:
-        run = run.noted(note)
-    return run
-
-
-def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
+def _begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
     """Ask the runtime of this environment to begin; it is started where there is none."""
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
     model = model.making_room()
-    model = replace(model, run=_new(model, start), runtime=state)
+    model = replace(model, run=start.run(model), runtime=state)
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime(url))
     if not isinstance(standing, Standing):
         why = refusal(standing)
@@ -271,7 +245,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
         return model, placed
     start, ended = placed
     is_to_pause = model.run is not None and model.run.is_to_pause
-    model = replace(model, run=replace(_new(model, start), is_to_pause=is_to_pause))
+    model = replace(model, run=replace(start.run(model), is_to_pause=is_to_pause))
     for subsystem in ended:
         model, refused_ = yield from _ended(model, start, subsystem)
         if refused_ is not None:
@@ -289,7 +263,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     return model, None if isinstance(response, request.Done) else _unbegun(start, refusal(response))
 
 
-def _placed(model: Model, standing: Standing, start: _Start) -> tuple[_Start, tuple[str, ...]] | No:
+def _placed(model: Model, standing: Standing, start: RunStart) -> tuple[RunStart, tuple[str, ...]] | No:
     """The run in subsystems that nobody else has, and those that are to end first."""
     if _is_given_up(model):
         return _given_up(start)
@@ -312,7 +286,7 @@ def _placed(model: Model, standing: Standing, start: _Start) -> tuple[_Start, tu
     return replace(start, plan=plan, notes=(*start.notes, *flow_placement.notes(model, plan))), gone
 
 
-def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
+def _ended(model: Model, start: RunStart, subsystem: str) -> Steps[tuple[Model, No | None]]:
     """End what stands in the way, with all its tasks."""
     documents = model.documents_here.values()
     names = [document.name for document in documents if document.live and document.live.subsystem == subsystem]
@@ -333,7 +307,7 @@ def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No
     return model, refused_
 
 
-def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[Model, No | None]:
+def _prepared(model: Model, response: request.Response, start: RunStart) -> tuple[Model, No | None]:
     """The runtime has looked at every module, argument line and target of the plan."""
     if isinstance(response, request.Prepared):
         model = looked(model, start.troubles, start.plan, response)
@@ -347,7 +321,7 @@ def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[
     return model, None
 
 
-def _unbegun(start: _Start, why: Reason) -> No:
+def _unbegun(start: RunStart, why: Reason) -> No:
     """The runtime will not begin it, for its recording's sake or another's."""
     if start.record and isinstance(why, Reason) and why.key == "host.no_recording":
         return recording.without(why.args["why"], start.command)
@@ -359,5 +333,5 @@ def _is_given_up(model: Model) -> bool:
     return model.run is not None and model.run.is_given_up
 
 
-def _given_up(start: _Start) -> No:
+def _given_up(start: RunStart) -> No:
     return No(Reason.of("run.aborted_before", name=start.name))

@@ -28,7 +28,7 @@ def place_flow(model: Model, opened: OpenApplication, command: act.PlaceFlow, _o
 
 
 def refused(opened: OpenApplication, plan: Plan) -> No | None:
-    """Why its flows are not carried out at several stations: they would have to meet, which runtimes do not yet do."""
+    """Why its flows are not carried out at several stations: some would have to meet, which runtimes do not yet do."""
     if opened.lone_station is not None:
         return None
     everywhere = tuple(
@@ -36,9 +36,12 @@ def refused(opened: OpenApplication, plan: Plan) -> No | None:
         for station in dict.fromkeys(opened.station_of(home) for home in _chiefs(plan))
     )
     tag = _shared_tag(opened, plan)
-    if tag is not None:
-        return No(Reason.of("run.meet_at_stations", tag=tag[0], parts=tag[1:]), everywhere)
-    return No(Reason.of("run.at_one_station", name=opened.name), everywhere)
+    return None if tag is None else No(Reason.of("run.meet_at_stations", tag=tag[0], parts=tag[1:]), everywhere)
+
+
+def placed(opened: OpenApplication, plan: Plan) -> dict[str, str]:
+    """Where the flows of a plan are carried out, by subsystem."""
+    return {home: opened.station_of(home) for home in _chiefs(plan)}
 
 
 def _chiefs(plan: Plan) -> dict[str, list[PlannedFlow]]:

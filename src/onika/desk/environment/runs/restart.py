@@ -6,6 +6,7 @@ from dataclasses import replace
 from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.runs import flow_placement
@@ -64,7 +65,10 @@ def _at_its_end(model: Model) -> Model:
     """The model when nothing lives any more and another runtime starts."""
     after = left(model, [subsystem_facts.subsystem for subsystem_facts in _homes(model).values()])
     for run in after.going_here:
-        after = after.with_run(flow_progress.lost(run, _CAUSE))
+        if run.parts:
+            after = run_reducer.part_lost(after, run, _CAUSE).model
+        else:
+            after = after.with_run(flow_progress.lost(run, _CAUSE))
     return replace(after, runtime=flow_placement.starting(model.runtime))
 
 

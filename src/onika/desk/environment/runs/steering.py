@@ -7,12 +7,13 @@ from msgspec import structs
 
 from onika.desk.environment.canvas import task_commands
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Steps
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.run_state.run_view import standing
+from onika.desk.environment.runs.run_start import aborts
 from onika.desk.environment.state.model import Model
 from onika.desk.run import steering
 from onika.wire import act, request, steer
@@ -42,7 +43,7 @@ def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | N
         is_named = len(command.line.split()) > 1
         has_nested = any(part.is_nested for part in run.flow_index.parts)
         return _resumed(model, run, wish.subsystem if is_named or not has_nested else "")  # empty: whoever rests
-    return _steered(model, addressed(model, run, wish.message))
+    return _steered(model, run, addressed(model, run, wish.message))
 
 
 def skip_to(model: Model, command: act.SkipTo, _outside: Services) -> No | Procedure:
@@ -54,7 +55,7 @@ def skip_to(model: Model, command: act.SkipTo, _outside: Services) -> No | Proce
     if action_place is None:
         return No(Reason.of("run.not_begun_with"))
     flow, index = action_place
-    return _steered(model, (steer.Skip(run.homes[flow], index),))
+    return _steered(model, run, (steer.Skip(run.homes[flow], index),))
 
 
 def answer(model: Model, command: act.Answer, outside: Services) -> No | Procedure:
@@ -67,7 +68,7 @@ def answer(model: Model, command: act.Answer, outside: Services) -> No | Procedu
     if command.task not in run.view.asks:
         return No(Reason.of("run.asks_nothing", task=command.task))
     subsystem, _, task = command.task.rpartition("/")
-    return simply_done(model, request.Reply(subsystem, task, command.line))
+    return simply_done(model.at(run.station_of(subsystem)), request.Reply(subsystem, task, command.line))
 
 
 def dismiss(model: Model, command: act.Dismiss, _outside: Services) -> Done | No:
@@ -87,10 +88,10 @@ def addressed(model: Model, run: Run, wish: request.Request) -> tuple[request.Re
     An abort names one flow, and ends the run of which that is.
     """
     is_for_all = isinstance(wish, _OF_ALL) and not wish.subsystem
-    if len(model.going) < 2 or not is_for_all:
+    if (len(model.going) < 2 and not run.parts) or not is_for_all:
         return (wish,)
     if isinstance(wish, request.Abort):
-        return (structs.replace(wish, subsystem=run.homes[0]),)
+        return tuple(structs.replace(wish, subsystem=abort.subsystem) for abort in aborts(run))
     return tuple(structs.replace(wish, subsystem=home) for home in run.homes)
 
 
@@ -104,28 +105,35 @@ def _going(model: Model, doc: str) -> Run | No:
     return going[0] if going else No(Reason.of("run.nothing_runs"))
 
 
-def _asked(model: Model, wishes: Sequence[request.Request]) -> Steps[tuple[Model, request.Response]]:
-    """Ask for each; done where one of them is, else why the first is not."""
+def _asked(model: Model, run: Run, wishes: Sequence[request.Request]) -> Steps[tuple[Model, request.Response]]:
+    """Ask for each where its flow is; done where one of them is, else why the first is not."""
     responses = []
     for wish in wishes:
-        model, response = yield Ask(model, wish)
+        subsystem = getattr(wish, "subsystem", "") or run.homes[0]
+        model, response = yield Ask(model.at(run.station_of(subsystem)), wish)
         responses.append(response)
     return model, next((response for response in responses if isinstance(response, request.Done)), responses[0])
 
 
-def _steered(model: Model, wishes: Sequence[request.Request]) -> Procedure:
+def _steered(model: Model, run: Run, wishes: Sequence[request.Request]) -> Procedure:
     """Ask for it, then where the flows are."""
-    model, response = yield from _asked(model, wishes)
+    model, response = yield from _asked(model, run, wishes)
     if not isinstance(response, request.Done):
         return No(refusal(response))
-    return Done(model, orders=(run_reducer.who(),) if model.going else ())
+    return Done(model, orders=_who(model, run))
+
+
+def _who(model: Model, run: Run) -> tuple[Order, ...]:
+    """Ask each station of a run where its flows are."""
+    stations = dict.fromkeys(run.station_of(home) for home in run.homes)
+    return tuple(run_reducer.who().at(station) for station in stations) if model.going else ()
 
 
 def _resumed(model: Model, run: Run, whom: str) -> Procedure:
     """Those that pause go on; where none does, why the others stand, and what lets them go on."""
-    model, response = yield from _asked(model, addressed(model, run, steer.Resume(whom)))
+    model, response = yield from _asked(model, run, addressed(model, run, steer.Resume(whom)))
     if isinstance(response, request.Done):
-        return Done(model, orders=(run_reducer.who(),) if model.going else ())
+        return Done(model, orders=_who(model, run))
     now = model.run_of(run.doc)
     stands = standing(now, whom) if now is not None else ()
     if not stands:

@@ -134,7 +134,7 @@ class Model:
     @property
     def runs_here(self) -> tuple[Run, ...]:
         """The runs at the station in focus: the one that was begun last, then those beside it."""
-        return tuple(run for run in self.every_run if run.station == self.station)
+        return tuple(run for run in self.every_run if run.is_at(self.station))
 
     def with_document(self, document: Document) -> "Model":
         """With a document in its newest form."""
@@ -161,7 +161,7 @@ class Model:
 
     def run_in(self, subsystem: str) -> Run | None:
         """The run that goes on in a subsystem here; one that is about to begin may not have its place yet."""
-        there = [run for run in self.going_here if subsystem in run.homes]
+        there = [run for run in self.going_here if subsystem in run.homes_at(self.station)]
         return next((run for run in there if run.view.state != "beginning"), next(iter(there), None))
 
     def with_run(self, run: Run) -> "Model":

@@ -1,0 +1,103 @@
+"""Beginning an application whose flows are carried out at several stations: each has its part, in one account (E12).
+
+All are asked what there is, and to look at their part, before any begins. They begin one after the other, and do not
+wait for each other: flows that would have to meet are refused before.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from msgspec import structs
+
+from onika.desk.environment.outcome.outcome import Ask, InterimModel, No, RequiredRuntime, Steps
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.reconcile import run_reducer
+from onika.desk.environment.reconcile.merge import runtime_view
+from onika.desk.environment.reconcile.station_names import called
+from onika.desk.environment.run_state.run import Run, RunPart
+from onika.desk.environment.runs import beside, flow_placement, recording
+from onika.desk.environment.runs.obstacles import obstacles
+from onika.desk.environment.runs.readiness_refusal import refused_by_runtime
+from onika.desk.environment.runs.run_start import RunStart, aborts
+from onika.desk.environment.state.model import Model
+from onika.desk.plan.plan_part import flows_of, part_of, targets_of
+from onika.desk.plan.subsystem_renaming import rehoused
+from onika.desk.run.runtime_conversation import in_short
+from onika.wire import live, request
+from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
+from onika.words.reason import Reason
+
+
+def begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
+    """Have every station begin its part; or why none does. Where one cannot, what has begun is ended."""
+    if start.record:
+        return model, recording.without(Reason.of("run.parts_not_recorded"), start.command)
+    model = model.at("").making_room()
+    parts = _parts(start.plan, start.stations)
+    model = replace(model, run=_shown(model, start, parts))
+    homes: dict[str, str] = {}
+    for part in parts:
+        model, free = yield from _looked(model.at(part.station), start, part)
+        if isinstance(free, No):
+            return model.at(""), free
+        homes |= free
+    start = replace(start, plan=rehoused(start.plan, homes))
+    model = replace(model.at(""), run=_shown(model, start, parts))
+    for part in parts:
+        wish = request.Prepare(part_of(start.plan, part.flows), targets_of(start.targets, part.flows))
+        model, response = yield Ask(model.at(part.station), wish)
+        if not isinstance(response, request.Prepared) or response.faults:
+            return model.at(""), refused_by_runtime(start.troubles, response)
+    return (yield from _begin(model, start, parts))
+
+
+def _begin(model: Model, start: RunStart, parts: tuple[RunPart, ...]) -> Steps[tuple[Model, No | None]]:
+    for number, part in enumerate(parts):
+        begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss)
+        model, response = yield Ask(model.at(part.station), begin)
+        if isinstance(response, request.Done):
+            continue
+        why = Reason.of("run.what_why", what=called(part.station), why=refusal(response))
+        ends = aborts(model.run)[:number] if model.run is not None else ()
+        for before, end in zip(parts, ends, strict=False):
+            model, _ = yield Ask(model.at(before.station), end)
+        return model.at(""), No(Reason.of("run.does_not_run", name=start.name, why=why))
+    looks = tuple(run_reducer.look().at(part.station) for part in parts)
+    model, _ = yield InterimModel(model.at(""), orders=looks)
+    return model, None
+
+
+def _looked(model: Model, start: RunStart, part: RunPart) -> Steps[tuple[Model, dict[str, str] | No]]:
+    """Subsystems at the station in focus that nobody else has, for the flows there; or what speaks against them."""
+    if model.runtime.state != "linked":
+        model = replace(model, runtime=flow_placement.starting(model.runtime))
+    model, standing = yield Ask(model, live.Survey(), RequiredRuntime(model.runtime.address))
+    if not isinstance(standing, Standing):
+        why = refusal(standing)
+        unreached = Reason.of("run.what_why", what=called(part.station), why=in_short(why))
+        return flow_placement.lost(model, why), No(Reason.of("run.no_runtime", why=unreached))
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    plan = part_of(start.plan, part.flows)
+    refused = flow_placement.refused(model, plan) or beside.refused(model, standing, plan, start.name)
+    if refused is not None:
+        return model, refused
+    hindering = obstacles(model, standing, plan)
+    if hindering:
+        named = tuple(obstacle.named for obstacle in hindering)
+        reason = Reason.of("run.in_the_way_at", station=called(part.station), obstacles=named)
+        return model, No(reason)
+    living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
+    return model, flow_placement.free(model, plan, living)
+
+
+def _parts(plan: Plan, stations: Mapping[str, str]) -> tuple[RunPart, ...]:
+    names = dict.fromkeys(stations.values())
+    homes = {name: [home for home, station in stations.items() if station == name] for name in names}
+    return tuple(RunPart(name, flows_of(plan, homes[name])) for name in names)
+
+
+def _shown(model: Model, start: RunStart, parts: tuple[RunPart, ...]) -> Run:
+    run = replace(start.run(model), parts=parts)
+    flows = {name: structs.replace(flow, station=run.station_of(name)) for name, flow in run.view.flows.items()}
+    return run.shown(flows=flows)

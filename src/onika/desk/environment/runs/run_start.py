@@ -1,0 +1,55 @@
+"""A run on its way: what is to be begun, and what there was to be seen before it (requirement E01)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from onika.desk.environment.outcome.fault_view import FaultViews
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.messages import IconWording
+from onika.desk.environment.run_state.run import Run, begun
+from onika.desk.environment.runs.unsaved import Changed
+from onika.desk.environment.state.model import Model
+from onika.wire import act, request
+from onika.wire.plan import Plan
+from onika.wire.request import TargetValues
+from onika.words.reason import Reason
+
+
+@dataclass(frozen=True, slots=True)
+class RunStart:
+    """A run on its way: what is to be begun, and what there was to be seen before it."""
+
+    command: act.Run
+    name: str
+    plan: Plan
+    targets: tuple[TargetValues, ...]
+    belonging: StepMembership
+    wording: IconWording
+    troubles: FaultViews
+    durations: dict[tuple[int, int], float]
+    notes: tuple[Reason, ...]
+    began_at_s: float
+    record: str = ""
+    """The file of its recording; empty: none is made."""
+    changed: tuple[Changed, ...] = ()
+    """What it uses, or would take over, and is not saved; it is told with what is taken over."""
+    unsaved: No | None = None
+    """Why it does not run with that, where nothing is taken over."""
+    stations: Mapping[str, str] = field(default_factory=dict)
+    """Where its flows are carried out, by subsystem; empty: all at the station in focus."""
+
+    def run(self, model: Model) -> Run:
+        """The run as it is shown before it has begun."""
+        run = begun(self.command.doc, self.plan, model.performed + 1, self.began_at_s, self.belonging, self.wording)
+        run = replace(run, durations=self.durations, station=model.station)
+        run = run.shown(recording=self.record, station=model.station)
+        for note in self.notes:
+            run = run.noted(note)
+        return run
+
+
+def aborts(run: Run) -> tuple[request.Abort, ...]:
+    """What ends a run: one wish at each station, which names a flow there."""
+    firsts = [run.plan.flows[part.flows[0]].subsystem for part in run.parts] or [run.homes[0]]
+    return tuple(request.Abort(Reason.of("desk.aborted_by_user"), home) for home in firsts)
