@@ -9,6 +9,8 @@ import sys
 import pytest
 from playwright.sync_api import expect
 
+from kit.labs.laboratory import Laboratory, job, target
+from kit.labs.small_tasks import small_laboratory
 from onika.link.token import digest, new_token
 
 pytestmark = pytest.mark.page
@@ -57,8 +59,18 @@ def program(begin, lab, places):
 @pytest.fixture
 def me(program, page, people):
     person = people(program.enter(page))
+    page.get_by_role("button", name="Tasks", exact=True).click()
     person.libraries("bench")
     return person
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    """That of small tasks, and an application of two flows that have no tag in common."""
+    lab = small_laboratory(tmp_path_factory.mktemp("base") / "bench")
+    steps = [job("pauseC", "Pause job"), target("for_a_while", "Pause object", "1.0")]
+    Laboratory(lab.path).application("apart", steps * 2, steps, parallel=True)
+    return lab
 
 
 def chip(me, name):
@@ -77,6 +89,36 @@ def turned_on(me, connect):
     me.state("wave", "OFF")
     me.box("wave").click(modifiers=["Shift"])
     me.state("wave", "ON")
+
+
+def test_flows_are_carried_out_at_two_runtimes_in_one_account(me, places):  # R-E12, R-F02
+    page = me.page
+    page.get_by_role("button", name="Applications", exact=True).click()
+    page.locator("body").press("Control+o")
+    opening = page.get_by_role("dialog", name="Open an application")
+    opening.get_by_role("searchbox").fill("apart")
+    opening.get_by_role("button", name="Open apart", exact=True).click()
+    expect(opening).to_have_count(0)
+    chip(me, "cmu").click()
+    panel = page.get_by_role("dialog", name="Stations")
+    panel.get_by_label("Name").fill("sandia")
+    panel.get_by_label("Address").fill(places["sandia"].url)
+    panel.get_by_label("Token").fill(places["sandia"].token)
+    panel.get_by_role("button", name="Connect", exact=True).click()
+    expect(panel).to_have_count(0)
+    expect(chip(me, "sandia")).to_be_visible()
+    page.locator("body").press("Alt+i")
+    redirect = page.get_by_role("dialog", name="Redirect apart")
+    for flow, station in (("0", "cmu"), ("1", "sandia")):
+        redirect.locator("label.chip").filter(has_text=re.compile(rf"flow {flow}$", re.I)).click()
+        redirect.get_by_label("Runs at").select_option(label=station)
+        expect(redirect.get_by_label("Runs at")).to_have_value(station)
+    page.keyboard.press("Escape")
+    run = page.get_by_role("region", name="Run", exact=True)
+    run.get_by_role("button", name=re.compile("^Run")).click()
+    for flow, station in (("0", "cmu"), ("1", "sandia")):
+        expect(run.get_by_role("group", name=f"Flow {flow}")).to_contain_text(station)
+    expect(page.get_by_text(re.compile("^apart is done: 3 actions")).first).to_be_visible(timeout=20_000)
 
 
 def test_configurations_are_on_at_two_runtimes_and_stop_reaches_the_one_that_is_heard(
