@@ -1,6 +1,7 @@
 """A run whose flows are carried out by several runtimes, in one account (requirements E12, F02)."""
 
 from dataclasses import replace
+from itertools import chain
 
 from msgspec import structs
 
@@ -38,20 +39,21 @@ def is_ended_at(run: Run, station: str) -> bool:
 def _together(parts: tuple[RunPart, ...], results: list[event.Result]) -> event.Result:
     failed = [part for part in parts if part.result is not None and not part.result.completed]
     causes = tuple(_cause(part) for part in failed)
+    last = max(results, key=lambda result: result.runtime_s)
     return event.Result(
         completed=not failed,
         cause=Reason.of("run.together", parts=causes) if causes else NOTHING,
         done=sum(result.done for result in results),
         of=sum(result.of for result in results),
-        runtime_s=max(result.runtime_s for result in results),
-        wall_s=max(result.wall_s for result in results),
-        values={name: value for result in results for name, value in result.values.items()},
-        tasks=tuple(figures for result in results for figures in result.tasks),
+        runtime_s=last.runtime_s,
+        wall_s=last.wall_s,
+        values=dict(chain.from_iterable(result.values.items() for result in results)),
+        tasks=tuple(chain.from_iterable(result.tasks for result in results)),
         hash="",
-        skews_us=tuple(skew for result in results for skew in result.skews_us),
-        steps=tuple(step for result in results for step in result.steps),
-        black_box=next((result.black_box for result in results if result.black_box), ""),
-        remarks=tuple(remark for result in results for remark in result.remarks),
+        skews_us=tuple(chain.from_iterable(result.skews_us for result in results)),
+        steps=tuple(chain.from_iterable(result.steps for result in results)),
+        black_box="".join([result.black_box for result in results if result.black_box][:1]),
+        remarks=tuple(chain.from_iterable(result.remarks for result in results)),
     )
 
 

@@ -132,14 +132,11 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         return prepared_here
     model, prepared, changed = prepared_here
     troubles = FaultViews.of(opened, syntax, prepared, outside.site)
-    complaint = refused(opened, tuple(troubles.views(prepared)))
+    complaint = refused(opened, tuple(troubles.views(prepared))) or flow_stations.refused(opened, prepared.plan)
     if complaint is not None:
         return complaint
     if prepared.plan is None:
         return No(Reason.of("run.has_nothing", name=opened.name))
-    apart = flow_stations.refused(opened, prepared.plan)
-    if apart is not None:
-        return apart
     is_unsaved = unsaved.refused(opened, changed, command)
     in_the_way = documents_in_the_way(model, prepared.plan)
     if is_unsaved is not None and (command.confirmed or not in_the_way):
@@ -161,7 +158,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         record="" if file is None else str(file),
         changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
         unsaved=is_unsaved,
-        stations={} if opened.lone_station is not None else flow_stations.placed(opened, prepared.plan),
+        stations=flow_stations.apart(opened, prepared.plan),
     )
 
 

@@ -27,9 +27,9 @@ def place_flow(model: Model, opened: OpenApplication, command: act.PlaceFlow, _o
     return Done(model.with_application(replace(opened, stations=stations, marks={}, looked=None)))
 
 
-def refused(opened: OpenApplication, plan: Plan) -> No | None:
+def refused(opened: OpenApplication, plan: Plan | None) -> No | None:
     """Why its flows are not carried out at several stations: some would have to meet, which runtimes do not yet do."""
-    if opened.lone_station is not None:
+    if plan is None or opened.lone_station is not None:
         return None
     everywhere = tuple(
         Remedy(Reason.of("desk.all_at", station=called(station)), act.PlaceFlow(opened.id, "", station))
@@ -39,8 +39,10 @@ def refused(opened: OpenApplication, plan: Plan) -> No | None:
     return None if tag is None else No(Reason.of("run.meet_at_stations", tag=tag[0], parts=tag[1:]), everywhere)
 
 
-def placed(opened: OpenApplication, plan: Plan) -> dict[str, str]:
-    """Where the flows of a plan are carried out, by subsystem."""
+def apart(opened: OpenApplication, plan: Plan) -> dict[str, str]:
+    """Where the flows of a plan are carried out, by subsystem; nothing where all of them are at one station."""
+    if opened.lone_station is not None:
+        return {}
     return {home: opened.station_of(home) for home in _chiefs(plan)}
 
 
