@@ -1,7 +1,11 @@
+from dataclasses import replace
+
 import pytest
 
+from kit.labs.library_site import LibrarySite, taken
 from kit.plans.build import task
 from onika.desk.console.site_library import SiteLibrary, altered
+from onika.store.remote.library_fetcher import LibraryFetcher
 from onika.store.site import open_site
 from onika.words.fault import Place
 from onika.words.reason import Reason
@@ -16,6 +20,18 @@ def test_a_task_comes_with_its_code_from_the_search_path(library):  # R-A14
     planned, code, faults = library.planned("pd", "rt1")
     assert (planned.name, planned.rtpu, planned.digest, faults) == ("pd", "rt1", code.digest, ())
     assert "class" in code.source
+
+
+def test_code_of_a_library_of_others_is_fetched_when_a_task_needs_it(tmp_path):  # R-F03, R-X16
+    far = LibrarySite(tmp_path)
+    far.publish()
+    remote = taken(tmp_path, far)
+    site = open_site([], {"XDG_CACHE_HOME": str(tmp_path / "cache")}, tmp_path / "home")
+    planned, code, (fault,) = SiteLibrary(site, Place("line")).planned("wink")
+    assert (planned, code, fault.reason.key) == (None, None, "store.code_not_fetched")
+    site = replace(site, fetcher=LibraryFetcher(site.checkouts, remote.access))
+    planned, code, faults = SiteLibrary(site, Place("line")).planned("wink")
+    assert (code.source, faults) == ((far.base / "module/wink.py").read_text(), ())
 
 
 def test_a_task_without_code_names_its_file(library, tmp_path):

@@ -13,6 +13,7 @@ from onika.desk.plan.target_inputs import measured_kinds
 from onika.model.configuration import Configuration, Placed
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
+from onika.store.remote.library_fetcher import unfetched
 from onika.store.site import Site
 from onika.store.world_source import sources_of
 from onika.wire.plan import Code, PlannedTask
@@ -80,6 +81,9 @@ class SiteLibrary:
         path = self._site.code_file(task)
         if path is None:
             return None, None, (Fault(Place(file), Reason.of("desk.code_not_on_path", module=task.module), _INSTEAD),)
+        faults = (*self._site.bring((path,)), *unfetched((path,)))
+        if faults:
+            return None, None, faults
         code, faults = self.code(task.module, path)
         if code is None:
             return None, None, faults

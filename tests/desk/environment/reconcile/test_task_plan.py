@@ -1,5 +1,6 @@
 import pytest
 
+from kit.labs.library_site import LibrarySite, taken
 from onika.desk.environment.reconcile.task_plan import SpawnPlan, birth, code_of, is_hardware, rate_of
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
@@ -7,6 +8,8 @@ from onika.model.configuration import Placed
 from onika.model.task import LocalLine, Task, TaskType
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import open_libraries
+from onika.wire.plan import Code
+from onika.words.reason import Reason
 
 MOVE = Task("move", "mover", outvar=("Q",), frequency=100.0)
 LONE = Task("lone", "loner", outvar=("P",), type=TaskType.APERIODIC)
@@ -60,3 +63,16 @@ def test_whoever_names_a_device_moves_one_until_its_module_says_otherwise(librar
         hardware = False
 
     assert not is_hardware(arm, OpenLibraries(sheets={"arm": Sheet()}))
+
+
+def test_code_of_a_library_of_others_that_is_not_fetched_is_never_run(tmp_path):  # R-X16
+    site = LibrarySite(tmp_path)
+    site.publish()
+    remote = taken(tmp_path, site)
+    library = remote.listed()[0][0]
+    libraries = OpenLibraries(open_libraries([BaseDirectory(remote.checkout(library).folder)]))
+    lacking = code_of("wink", libraries, "wink")
+    assert isinstance(lacking, Reason) and lacking.key == "store.code_not_fetched"
+    remote.fetch(library)
+    code = code_of("wink", libraries, "wink")
+    assert isinstance(code, Code) and code.source == (site.base / "module/wink.py").read_text()

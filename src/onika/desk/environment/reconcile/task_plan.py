@@ -11,6 +11,7 @@ from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.model.configuration import Placed
 from onika.model.task import Task
+from onika.store.remote.library_fetcher import unfetched
 from onika.wire.plan import Code, PlannedTask
 from onika.words.reason import Reason
 
@@ -48,6 +49,9 @@ def code_of(module: str, libraries: OpenLibraries, task: str) -> Code | Reason:
     path = code_path(module, libraries, task)
     if path is None:
         return Reason.of("run.code_missing", module=module)
+    lacking = unfetched((path,))
+    if lacking:
+        return lacking[0].reason
     try:
         source = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as wrong:
