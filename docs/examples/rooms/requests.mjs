@@ -143,6 +143,7 @@ export const HANDLERS = {
     const held = this.subsystems.get(subsystem);
     if (held?.holder !== session) return respond(refused(`you do not hold ${subsystem}`));
     this.hand(held, null);
+    if (!held.tasks.size) this.subsystems.delete(subsystem);
     respond(DONE);
   },
 

@@ -215,3 +215,17 @@ test("an application runs, one action after the other, and what it cannot do is 
   assert.ok(Math.abs(result.values.WARMTH[0] - 11) < 0.5);
   assert.equal((await here.ask({ type: "Swap", subsystem: "main" })).type, "Refused");
 });
+
+test("a name that is not there yet is taken, and only its holder changes it", async () => {
+  const here = await open();
+  await here.greet("holder");
+  assert.equal((await here.ask({ type: "Take", subsystem: "attic" })).type, "Done");
+  const { you } = await here.ask({ type: "Sessions" });
+  const attic = async () => (await here.ask({ type: "Survey" })).subsystems.find(({ name }) => name === "attic");
+  assert.equal((await attic()).holder, you);
+  const other = await open();
+  await other.greet("other");
+  assert.match((await other.ask({ type: "Take", subsystem: "attic" })).reason.text, /held by/);
+  assert.equal((await here.ask({ type: "Release", subsystem: "attic" })).type, "Done");
+  assert.equal(await attic(), undefined);
+});

@@ -234,7 +234,8 @@ export class Runtime {
       const names =
         body.type === "Change" ? ["kill", "off"].flatMap((key) => body[key] ?? []) : [body.task ?? []].flat();
       const missing = names.filter((name) => !named?.tasks.has(name));
-      if (!named && body.type !== "Change") return respond(refused(`there is no subsystem ${body.subsystem}`));
+      if (!named && !["Change", "Take"].includes(body.type))
+        return respond(refused(`there is no subsystem ${body.subsystem}`));
       if (missing.length) return respond(refused(`there is no task ${missing.join(", ")} in ${body.subsystem}`));
       if (named?.run && named.run.session !== session) return respond(refused("an application runs there"));
       const why = this.hold(session, body.subsystem);
