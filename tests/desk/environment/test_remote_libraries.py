@@ -18,6 +18,7 @@ from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.lock_file import LockFile
 from onika.store.remote.object_cache import ObjectCache
 from onika.store.remote.remote_libraries import RemoteLibraries
+from onika.store.shipped import shipped
 from onika.store.site import open_site
 from onika.wire import act
 from onika.wire.view import OfferView
@@ -98,6 +99,14 @@ def test_what_is_taken_joins_the_session_with_its_code(desk, site):  # R-F03 R-C
 def test_an_application_of_ones_own_finds_what_was_taken_a_moment_ago(desk, site):  # R-F03
     desk.take(site)
     assert desk.site.configuration_file("winkC") is not None
+
+
+def test_icons_of_others_stand_in_a_dictionary_at_once(desk, site):  # R-D01
+    icon = (shipped() / "boxes/dict").glob("*.onk")
+    site.write("dict/beside.onk", next(icon).read_text())
+    site.publish()
+    folder = desk.take(site)
+    assert folder in desk.environment.tree.dictionaries
 
 
 def test_what_was_shown_is_what_is_taken(desk, site):  # R-X16
