@@ -229,3 +229,16 @@ test("a name that is not there yet is taken, and only its holder changes it", as
   assert.equal((await here.ask({ type: "Release", subsystem: "attic" })).type, "Done");
   assert.equal(await attic(), undefined);
 });
+
+test("tasks of a holder who is not heard any more go off, and others may take them", async () => {
+  const watcher = await open();
+  await watcher.greet("watcher");
+  await watcher.ask({ type: "Attend", subsystems: ["main"] });
+  const holder = await open();
+  await holder.greet("silent");
+  await holder.ask({ type: "Change", subsystem: "main", on: [{ task: "thermostat" }] });
+  assert.equal((await watcher.event(({ state }) => state === "ON")).task, "thermostat");
+  assert.equal((await watcher.event(({ state }) => state === "OFF")).task, "thermostat"); // it says nothing: no beats
+  assert.equal((await watcher.event(({ type, holder }) => type === "Held" && !holder)).subsystem, "main");
+  assert.equal((await watcher.ask({ type: "Take", subsystem: "main" })).type, "Done");
+});
