@@ -11,6 +11,7 @@ import msgspec
 
 from onika.ring import displacement
 from onika.wire import (
+    booking,
     event,
     figures,
     foresight,
@@ -19,6 +20,7 @@ from onika.wire import (
     plan,
     question,
     reading,
+    rendezvous_link,
     request,
     runtime_standing,
     samples,
@@ -51,6 +53,8 @@ _ROOMS = (
     displacement,
     steer,
     holding,
+    booking,
+    rendezvous_link,
     question,
     event.explanation,
     figures,
@@ -63,8 +67,14 @@ _ROOMS = (
 
 def page() -> str:
     """The whole page."""
-    by_hand = {*get_args(live.LiveRequest), *get_args(holding.HoldingRequest)}
-    asked = [one for one in get_args(request.Request) if one not in by_hand]
+    apart = {
+        "Requests about subsystems, by hand": get_args(live.LiveRequest),
+        "Requests about who holds what": get_args(holding.HoldingRequest),
+        "Requests about bookings": get_args(booking.BookingRequest),
+        "Requests about flows of several runtimes": get_args(rendezvous_link.RendezvousRequest),
+    }
+    of_others = {one for structs in apart.values() for one in structs}
+    asked = [one for one in get_args(request.Request) if one not in of_others]
     answered = get_args(request.Response)
     parts = [one for module in _ROOMS for one in _structs(module)]
     told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
@@ -72,8 +82,7 @@ def page() -> str:
         (
             _HEAD,
             _section("Requests about applications and the runtime", asked),
-            _section("Requests about subsystems, by hand", get_args(live.LiveRequest)),
-            _section("Requests about who holds what", get_args(holding.HoldingRequest)),
+            *(_section(title, structs) for title, structs in apart.items()),
             _section("Responses", answered),
             _section("Events, which travel as signals", get_args(event.Event)),
             _section("Readings", get_args(reading.Reading)),

@@ -90,7 +90,7 @@ def test_no_message_of_a_page_is_left_out(room, base):
 
 def test_no_message_of_the_link_is_left_out():
     rooms = {
-        *("steer", "live", "runtime_standing", "holding", "foresight", "samples", "rendezvous_link"),
+        *("steer", "live", "runtime_standing", "holding", "foresight", "samples", "rendezvous_link", "booking"),
         *("request", "event", "question", "reading", "packet"),
     }
     tagged = {kind for kind in STRUCTS if kind.__struct_config__.tag and kind.__module__.split(".")[2] in rooms}

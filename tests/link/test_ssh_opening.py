@@ -1,4 +1,4 @@
-"""What ssh says when it does not come about: each has its own words. `tests/site/test_by_ssh.py` has a real sshd."""
+"""What ssh says when it does not come about, each in its own words; `tests/site/elsewhere` has a real sshd."""
 
 import pytest
 

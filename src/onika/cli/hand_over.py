@@ -85,7 +85,7 @@ def _started(words: Sequence[str], path: Path, log: Path) -> StayingRuntime | No
 def _port(runtime: RuntimeConversation) -> int:
     standing = runtime.ask(live.Survey())
     if not isinstance(standing, Standing):
-        raise TypeError("expected how the runtime stands")
+        raise TypeError("expected Standing")
     return Address.parse(standing.addresses[0]).port
 
 

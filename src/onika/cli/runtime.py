@@ -43,6 +43,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--accept-code", action="store_true", help=say(Reason.of("cli.runtime_accept_code")))
     parser.add_argument("--audit", metavar="FILE", help=say(Reason.of("cli.runtime_audit")))
     parser.add_argument("--lease", type=lease, metavar="SECONDS", help=say(Reason.of("cli.runtime_lease")))
+    parser.add_argument("--robot", metavar="NAME", help=say(Reason.of("cli.runtime_robot")))
+    parser.add_argument("--book", metavar="FILE", help=say(Reason.of("cli.runtime_book")))
+    parser.add_argument("--require-booking", action="store_true", help=say(Reason.of("cli.runtime_require_booking")))
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     add_base(parser)
@@ -58,7 +61,7 @@ def carry_out(given: argparse.Namespace) -> int:
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
     is_virtual = given.virtual or given.scale is not None
-    options = (*listen, *scaled, *_held(given))
+    options = (*listen, *scaled, *_held(given), *_booked(given))
     if given.hand_over:
         return _hand_over(given, rtpus, is_virtual=is_virtual, options=options)
     launched = LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, options, not given.no_black_box)
@@ -81,6 +84,8 @@ def _judge(given: argparse.Namespace, *, listens: bool) -> None:
         given.complain(say(Reason.of("cli.stay_by_hand_over")))
     if given.hand_over and (listens or given.script is not None):
         given.complain(say(Reason.of("cli.hand_over_alone")))
+    if not given.robot and (given.book or given.require_booking):
+        given.complain(say(Reason.of("cli.robot_expected")))
     if given.no_console and given.script is None and not listens:
         given.complain(say(Reason.of("cli.unreachable")))
 
@@ -131,6 +136,14 @@ def _held(given: argparse.Namespace) -> tuple[str, ...]:
     if given.lease is None:
         return audit
     return (*audit, "--lease", f"{given.lease:g}")
+
+
+def _booked(given: argparse.Namespace) -> tuple[str, ...]:
+    """The words about the times for which its robot is booked."""
+    if not given.robot:
+        return ()
+    book = ("--book", given.book) if given.book else ()
+    return ("--robot", given.robot, *book, *(["--require-booking"] * given.require_booking))
 
 
 def lease(text: str) -> float:

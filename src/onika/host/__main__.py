@@ -8,10 +8,11 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from time import monotonic_ns
+from time import monotonic_ns, time
 
+from onika.booking.book import BookingBook, book_path
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
-from onika.files.state.state_directory import guarded, state_directory
+from onika.files.state.state_directory import guarded, make_own, state_directory
 from onika.files.state.staying_runtime import StayingFile, StayingRuntime
 from onika.host.guards.call_watchdog import CallWatchdog
 from onika.host.guards.code_guard import CodeGuard, own_code
@@ -27,10 +28,12 @@ from onika.host.recording.black_box_holder import BlackBoxHolder, HolderProcess,
 from onika.host.renewal import Renewal
 from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.audit_trail import OFF, AuditTrail, open_for
+from onika.host.sessions.booked_use import BookedUse
 from onika.host.sessions.listen_options import ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.network_channel import NetworkChannel
 from onika.host.sessions.request_server import RequestServer
+from onika.host.sessions.site_clock import SiteClock
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.garbage import Garbage
 from onika.host.units.output_pipe import open_output_pipes
@@ -85,9 +88,10 @@ def _run(words: list[str]) -> None:
     loader = Loader(stays_inside=given.forecast)
     loader_client = LoaderClient(loader)
     server = _server(given, listener, audit)
+    booked = _booked(given, server)
     try:
         if given.virtual:
-            _virtual(given, server, loader_client, listener, ending)
+            _virtual(given, server, loader_client, listener, ending, booked)
         else:
             holder = None if given.no_black_box else HolderProcess()  # it comes up beside the others
             wall = _wall_driver(_rtpus(given), server, with_fifo=not given.no_fifo)
@@ -96,7 +100,7 @@ def _run(words: list[str]) -> None:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                program = RuntimeProgram(server, wall, loader_client, _rtpus(given), lease_ns)
+                program = RuntimeProgram(server, wall, loader_client, _rtpus(given), lease_ns, booked=booked)
                 if listener is not None:
                     program.network.adopt(listener)
                 _keep_last_seconds(program, holder, HolderProcess)
@@ -136,6 +140,9 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--name", action="append", default=[])
     parser.add_argument("--accept-code", action="store_true")
     parser.add_argument("--stay", default="", metavar="FILE")
+    parser.add_argument("--robot", default="", metavar="NAME")
+    parser.add_argument("--book", default="", metavar="FILE")
+    parser.add_argument("--require-booking", action="store_true")
     given = parser.parse_args(words)
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error(in_language(Reason.of("host.no_way_in"), own_language()))
@@ -189,6 +196,21 @@ def _server(given: argparse.Namespace, listener: ListenerProcess | None, audit: 
     if given.link_fd is not None:
         server.adopt(inherit(given.link_fd))
     return server
+
+
+def _booked(given: argparse.Namespace, server: RequestServer) -> BookedUse | None:
+    """The bookings of the robot, where it has a name; the end where its book cannot be used."""
+    if not given.robot:
+        return None
+    path = Path(given.book) if given.book else book_path(os.environ)
+    try:
+        make_own(path.parent)
+        book = BookingBook(path)
+    except OSError as wrong:
+        _print(reason_of(wrong))
+        raise SystemExit(2) from None
+    clock = SiteClock(time, monotonic_ns)
+    return BookedUse(given.robot, book, clock, server.tell, is_needed=given.require_booking)
 
 
 def _keep_last_seconds(
@@ -251,6 +273,7 @@ def _virtual(
     loader: LoaderClient,
     listener: ListenerProcess | None,
     ending: ShutdownSignals,
+    booked: BookedUse | None,
 ) -> None:
     """Program after program in virtual time, each beginning anew where the one before was renewed."""
     watch = _made_ready(given)
@@ -259,7 +282,7 @@ def _virtual(
         network.adopt(listener)
     while True:
         driver = _virtual_driver(given, server, watch, renewal)
-        program = RuntimeProgram(server, driver, loader, _rtpus(given), network=network)
+        program = RuntimeProgram(server, driver, loader, _rtpus(given), network=network, booked=booked)
         _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
         if renewal is not None:
             program.go_on(renewal)

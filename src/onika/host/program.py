@@ -22,6 +22,7 @@ from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.recording.sampling import Sampling
 from onika.host.renewal import Renewal
 from onika.host.run.rendezvous_links import RendezvousLinks
+from onika.host.sessions.booked_use import BookedUse
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.network_channel import NetworkChannel
@@ -40,13 +41,13 @@ from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
 from onika.link.datagrams.rendezvous_channel import RendezvousChannel
 from onika.ring.segment import SharedMemoryRefused
-from onika.wire import holding, live, request, steer
+from onika.wire import booking, holding, live, request, steer
 from onika.wire.foresight import WhatIf
 from onika.wire.rendezvous_link import LinkRuntimes, OfferPact
 from onika.wire.samples import Sample
 from onika.wire.world_source import WorldSource
 from onika.words.fault import NOT_RUN, Fault, Place
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 
 class RuntimeProgram:
@@ -60,6 +61,7 @@ class RuntimeProgram:
         rtpus: tuple[str, ...],
         lease_ns: int | None = 0,
         network: NetworkChannel | None = None,
+        booked: BookedUse | None = None,
     ) -> None:
         self._server = server
         self._driver = driver
@@ -73,6 +75,7 @@ class RuntimeProgram:
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
         self.network = network or NetworkChannel(server)
+        self._booked = booked
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
         self._pads = Pads(self.subsystems)
@@ -126,7 +129,8 @@ class RuntimeProgram:
         now = monotonic_ns()
         kept = self.recordings.due_ns()
         looks = (self._look.due_ns(now), self._sampling.due_ns(now), self._links.due_ns(self._driver.now))
-        dues = (*looks, self.leases.due_ns(), self.network.due_ns(), kept)
+        slots = None if self._booked is None else self._booked.due_ns()
+        dues = (*looks, self.leases.due_ns(), self.network.due_ns(), slots, kept)
         return min([most_s, *(due * 1e-9 for due in dues if due is not None)])
 
     def serve(self) -> None:
@@ -137,6 +141,8 @@ class RuntimeProgram:
         for session in self.leases.judge(self._driver.now):  # before anything that takes time
             self.applications.forget(session)
         self.authority.expire(monotonic_ns())
+        if self._booked is not None:
+            self._booked.judge(self._presence.sessions(), self.authority, self._driver.now)
         for number, call in enumerate(calls, 1):
             self._serve(call)
             if self.renewal is not None:
@@ -191,7 +197,8 @@ class RuntimeProgram:
         if self._backlog.is_before(call):
             self._backlog.keep(call, answer)
             return
-        refusal = self.authority.refusal(call.session, call.asked, self.motion.is_stopped)
+        refusal = NOTHING if self._booked is None else self._booked.refusal(call.session, call.asked)
+        refusal = refusal or self.authority.refusal(call.session, call.asked, self.motion.is_stopped)
         refusal = refusal or self.subsystems.repeat.refusal(call.session, call.asked, self._driver.now)
         try:
             if refusal:
@@ -229,6 +236,8 @@ class RuntimeProgram:
                 answer(self._sampling.answer(call.asked))
             case holding.Listen() | holding.StopListening() | OfferPact() | LinkRuntimes():
                 self._of_network(call, answer)
+            case booking.Book() | booking.ExtendBooking() | booking.CancelBooking() | booking.Bookings():
+                answer(self._of_bookings(call, call.asked))
             case live.AddUnit():
                 self._unit_starts.add(call.asked, answer)
             case live.Record():
@@ -261,6 +270,11 @@ class RuntimeProgram:
                 self.network.close(answer)
             case OfferPact() | LinkRuntimes():
                 self._links.ask(call.session, call.asked, self._driver, answer)
+
+    def _of_bookings(self, call: SessionRequest, message: booking.BookingRequest) -> request.Response:
+        if self._booked is None:
+            return request.Refused(Reason.of("booking.nothing"))
+        return self._booked.answer(call.session, call.role, message)
 
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""

@@ -3,6 +3,7 @@
 import msgspec
 from msgspec import Struct
 
+from onika.wire.booking import BookingRequest, BookingResponse
 from onika.wire.foresight import Foreseen, WhatIf
 from onika.wire.holding import Company, HoldingRequest, Listening
 from onika.wire.live import LiveRequest, LiveResponse
@@ -164,7 +165,8 @@ class Worlds(Struct, frozen=True, tag=True):
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
-Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | RendezvousRequest | WhatIf | Sample
+_OfOthers = HoldingRequest | BookingRequest | RendezvousRequest
+Request = _RunRequest | SteerRequest | LiveRequest | _OfOthers | WhatIf | Sample
 Response = (
     Prepared
     | Done
@@ -173,6 +175,7 @@ Response = (
     | Positions
     | Company
     | Listening
+    | BookingResponse
     | LiveResponse
     | RendezvousResponse
     | Foreseen

@@ -2,6 +2,7 @@
 
 from onika.desk.console import (
     again_lines,
+    booking_lines,
     channel_lines,
     control_lines,
     foresight_lines,
@@ -287,6 +288,17 @@ WHOLE = (
         "decline", "decline [SUBSYSTEM]", Reason.of("console.does_decline"), control_lines.decline, ("subsystem",), 0, 1
     ),
     Command("sessions", "sessions", Reason.of("console.does_sessions"), control_lines.sessions, most=0),
+    Command("bookings", "bookings", Reason.of("console.does_bookings"), booking_lines.bookings, most=0),
+    Command(
+        "book",
+        "book BEGIN for LENGTH [finish] [NOTE]",
+        Reason.of("console.does_book"),
+        booking_lines.book,
+        least=3,
+        more=Reason.of("console.more_book"),
+    ),
+    Command("extend", "extend NUMBER for LENGTH", Reason.of("console.does_extend"), booking_lines.extend, least=3),
+    Command("cancel", "cancel NUMBER", Reason.of("console.does_cancel"), booking_lines.cancel, least=1, most=1),
     Command(
         "open",
         "open [HOST:PORT] [ROLE] [cert=FILE key=FILE users=FILE]",

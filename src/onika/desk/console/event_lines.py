@@ -30,7 +30,7 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
             yield from _flows(message, say)
         case event.Lost() | event.UnitUp():
             yield _process(message)
-        case event.Held() | event.Offered():
+        case event.Held() | event.Offered() | event.SlotEnds() | event.ClockSet():
             yield _held(message)
         case event.LastSecondsKept() | event.Recording():
             yield _recording(message)
@@ -183,8 +183,20 @@ def _stopped(stopped: event.Stopped) -> Line:
     return Reason.of("console.motion_allowed", because=because), Tone.GOOD
 
 
-def _held(message: event.Held | event.Offered) -> Line:
-    """Who may change a subsystem, or is to."""
+def _slot(message: event.SlotEnds | event.ClockSet) -> Line:
+    """Whose time with the robot ends."""
+    if isinstance(message, event.ClockSet):
+        return Reason.of("console.clock_set", seconds=message.by_s), Tone.NOTE
+    if message.left_s <= 0:
+        return Reason.of("booking.over", user=message.user, follower=message.follower), Tone.NOTE
+    minutes = max(1, round(message.left_s / 60))
+    return Reason.of("booking.ends", user=message.user, minutes=minutes, follower=message.follower), Tone.NOTE
+
+
+def _held(message: event.Held | event.Offered | event.SlotEnds | event.ClockSet) -> Line:
+    """Who may change a subsystem, or is to; whose time with the robot ends."""
+    if isinstance(message, event.SlotEnds | event.ClockSet):
+        return _slot(message)
     subsystem = message.subsystem
     if isinstance(message, event.Held):
         because = _because(message.cause)

@@ -173,6 +173,18 @@ class ControlAuthority:
             self._abandon(run, cause, session, now)
         self._rest(session, Reason.of("host.holder_gone", session=session))
 
+    def users(self) -> set[str]:
+        """Those of whom a session holds something."""
+        return {session.partition("#")[0] for session in self._holders()}
+
+    def end_use(self, user: str, late: str, cause: Reason, now: int) -> None:
+        """The time of a user is over: his runs `stop`, or `finish` their actions and pause; what he holds rests."""
+        for session in sorted(one for one in self._holders() if one.partition("#")[0] == user):
+            for run in [run for run in self._subsystems.runs if run.session == session]:
+                run.on_loss = late
+                self._abandon(run, cause, session, now)
+            self._rest(session, cause)
+
     def _abandon(self, run: ApplicationRun, cause: Reason, session: str, now: int) -> None:
         """A run is nobody's: it goes as it was begun to go, and others may take it."""
         run.session = ""
@@ -248,12 +260,13 @@ class ControlAuthority:
         by_hand = self._subsystems.live.get(subsystem)
         return (by_hand.holder if by_hand is not None else ""), ""
 
+    def _holders(self) -> set[str]:
+        by_hand = {one.holder for one in self._subsystems.live.values()}
+        return (by_hand | {run.session for run in self._subsystems.runs}) - {""}
+
     def _foreign(self, session: str) -> Reason:
         """Whether others hold something and this session does not: then it is not its stop to leave."""
-        holders = {one.holder for one in self._subsystems.live.values()} | {
-            run.session for run in self._subsystems.runs
-        }
-        holders.discard("")
+        holders = self._holders()
         if holders and session not in holders:
             return Reason.of("host.stop_of_holder", names=tuple(sorted(holders)))
         return NOTHING

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from onika.link.caller import PARENT, Caller, Role
-from onika.wire import holding, live, request, steer
+from onika.wire import booking, holding, live, request, steer
 from onika.wire.foresight import WhatIf
 from onika.wire.samples import Sample
 from onika.words.reason import NOTHING, Reason
@@ -23,6 +23,7 @@ _LOOKING = (
     Sample,
     holding.Sessions,
     holding.OnlyWatch,
+    booking.Bookings,
 )
 """What everybody may: to look, and to stop."""
 

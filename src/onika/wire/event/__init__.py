@@ -15,6 +15,7 @@ from onika.wire.event.holder import (
     Offered as Offered,
     Stopped as Stopped,
 )
+from onika.wire.event.slot import ClockSet as ClockSet, SlotEnds as SlotEnds
 from onika.wire.event.task import (
     Failed as Failed,
     Signalled as Signalled,

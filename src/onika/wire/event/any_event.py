@@ -7,6 +7,7 @@ from onika.wire.event.device import Drive, Mishap, Outdated, Stepped
 from onika.wire.event.ending import Recording, Result
 from onika.wire.event.explanation import Explained, LastSecondsKept
 from onika.wire.event.holder import Company, Edited, Held, Offered, Stopped
+from onika.wire.event.slot import ClockSet, SlotEnds
 from onika.wire.event.task import Failed, Signalled, TaskState, Warned
 from onika.wire.event.unit import Lost, UnitUp
 from onika.wire.question import Asked
@@ -37,6 +38,8 @@ Event = (
     | Company
     | Stopped
     | Stood
+    | SlotEnds
+    | ClockSet
 )
 
 encode = msgspec.msgpack.Encoder().encode
