@@ -38,8 +38,9 @@ but for the instructions of a flow's program (`Instruction` is one of `Do` to `H
 missing one takes its default, or is an error where it has none.
 
 `tuple[...]` and `list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. `Index` is an
-`int` that is not negative; a `float` may come as a whole number. `Reason` and `NOTHING`, the empty one, are those of
-[reasons](protocol.md#reasons). States of tasks and flows are the words of [lifecycles](lifecycles.md).
+`int` that is not negative, `Site` one up to 255, `Span` one of nanoseconds up to ten seconds; a `float` may come as a
+whole number. `Reason` and `NOTHING`, the empty one, are those of [reasons](protocol.md#reasons). States of tasks and
+flows are the words of [lifecycles](lifecycles.md).
 This page is drawn from the code by `python tools/generate.py`.
 """
 

@@ -125,7 +125,10 @@ def test_a_name_that_is_nowhere_is_told_with_its_line(name):  # R-X19
             keyword, *words = line.split() or [""]
             if keyword not in NAMING:
                 continue
-            lost = file.content.replace(line.encode(), line.replace(words[0], "x_y_z").encode())
+            name = next(word for word in words if word != "-")
+            lines = file.content.decode().split("\n")
+            lines[at] = line.replace(name, "x_y_z", 1)
+            lost = "\n".join(lines).encode()
             files = (*source.files[:number], WorldFile(file.name, file.path, lost), *source.files[number + 1 :])
             faults = judged(WorldSource(source.world, digest_of(files), files))
             assert (file.path, at + 1) in {(fault.place.file, fault.place.line) for fault in faults}, line

@@ -1,6 +1,7 @@
 """Nothing waits by the clock of the day: it may jump, by an hour or by a second, and no lease or deadline with it.
 
-The few files that look at it write down when something happened, for people to read; one asks how old files are.
+The few files that look at it write down when something happened, for people to read; one asks how old files are, one
+how long what somebody has signed holds, one whose time it is by what is booked.
 """
 
 import ast
@@ -10,6 +11,7 @@ import onika
 
 HOUSE = Path(onika.__file__).parent
 OF_PEOPLE = {
+    "cli/library.py",
     "cli/own.py",
     "desk/console/readings_log.py",
     "desk/environment/diary.py",
@@ -17,6 +19,7 @@ OF_PEOPLE = {
     "host/recording/black_box.py",
     "host/recording/run_description.py",
     "host/sessions/audit_trail.py",
+    "host/sessions/site_clock.py",
     "labs/folders/module/only_files.py",
     "web/hub.py",
 }

@@ -18,6 +18,7 @@ NO_SENTENCES = re.compile(
     r"|branch at line "  # part of a plan, whose digest stands in files
     r"|; it printed last: "  # in recordings of an earlier version
     r"|(cut to start|delete or end)\Z"  # names of keys
+    r"|application begin\Z"  # a tag
     r"|pad free\Z"  # a line of a script
 )
 TEMPLATES = {"desk/plan/module_template.py"}

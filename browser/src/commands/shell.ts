@@ -108,7 +108,7 @@ command({
   title: () => t('file.library'),
   run: () => turn('open', { what: 'library' }),
 })
-command({ id: 'library.remote', group: 'library', title: () => t('remote.menu'), run: () => turn('remote') })
+command({ id: 'library.remote', group: 'file', title: () => t('remote.menu'), run: () => turn('remote') })
 command({
   id: 'library.newModule',
   group: 'library',

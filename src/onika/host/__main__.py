@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from time import monotonic_ns, time
+from time import monotonic_ns
 
 from onika.booking.book import BookingBook, book_path
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
@@ -209,8 +209,7 @@ def _booked(given: argparse.Namespace, server: RequestServer) -> BookedUse | Non
     except OSError as wrong:
         _print(reason_of(wrong))
         raise SystemExit(2) from None
-    clock = SiteClock(time, monotonic_ns)
-    return BookedUse(given.robot, book, clock, server.tell, is_needed=given.require_booking)
+    return BookedUse(given.robot, book, SiteClock(), server.tell, is_needed=given.require_booking)
 
 
 def _keep_last_seconds(

@@ -13,6 +13,9 @@ from onika.words.reason import NOTHING, Reason
 Site = Annotated[int, Meta(ge=0, le=255)]
 """The number of a runtime in a run, from 0: the order of their lowest flows."""
 
+Span = Annotated[int, Meta(ge=0, le=10_000_000_000)]
+"""A time, in ns."""
+
 
 class OfferPact(Struct, frozen=True, tag=True):
     """Be ready to hear from the other runtimes of a run at this address of the machine; replied by PactOffered."""
@@ -78,8 +81,8 @@ class Linked(Struct, frozen=True, tag=True):
 class MeetingTerms(Struct, frozen=True):
     """The terms on which the runtimes of a run meet, the same for all: those of the worst way, in ns."""
 
-    one_way_ns: Annotated[int, Meta(ge=0, le=10_000_000_000)]
-    clock_ns: Annotated[int, Meta(ge=0, le=10_000_000_000)]
+    one_way_ns: Span
+    clock_ns: Span
 
 
 RendezvousRequest = OfferPact | LinkRuntimes

@@ -169,7 +169,8 @@ def _robot(robot: RobotText) -> dict[str, Any]:
     attached = {"LINKS": list(robot.links), "HAND": robot.hand, "ON": robot.on}
     cameras = [("CAMERA", camera.name, _camera(camera)) for camera in robot.cameras]
     devices = [_device(device) for device in robot.devices]
-    return {"DESC": robot.description, "FILE": robot.file, **attached, "CAMERAS": cameras, "devices": devices}
+    head = {"DESC": robot.description, "KIND": robot.given_kind, "FILE": robot.file}
+    return {**head, **attached, "CAMERAS": cameras, "devices": devices}
 
 
 def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
@@ -177,6 +178,7 @@ def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
         lines: dict[str, Any] = {"TOOL": (device.tool, list(device.offset)), "APPROACH": device.approach}
         lines |= {"FINGERS": device.fingers, "FROM": device.start, "DRIVE": device.drive, "HOME": list(device.home)}
         lines |= {"SPEED": list(device.speed), "TORQUE": list(device.torque), "ARMATURE": device.armature}
+        lines["GAINS"] = device.gains and (list(device.gains[0]), list(device.gains[1]))
         return "ARM", device.name, lines
     if isinstance(device, RobotAxes):
         return "AXES", device.name, {"MOVES": list(device.moves), "DRIVE": device.drive}
@@ -185,7 +187,12 @@ def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
         return "BASE", device.name, {**lines, "SPEED": device.speed}
     if isinstance(device, SensorBlock):
         return "SENSOR", device.name, _sensor(device)
-    lines = {"MOVES": list(device.moves), "OPEN": list(device.open), "CLOSED": list(device.closed)}
+    lines = {
+        "MOVES": list(device.moves),
+        "DRIVE": device.drive,
+        "OPEN": list(device.open),
+        "CLOSED": list(device.closed),
+    }
     return "GRIPPER", device.name, {**lines, "FORCE": list(device.force)}
 
 
@@ -195,7 +202,7 @@ def _sensor(sensor: SensorBlock) -> dict[str, Any]:
 
 def _camera(camera: CameraBlock) -> dict[str, Any]:
     lines = {"VIEW": camera.view, "ON": camera.on, "AT": list(camera.at), "LOOKS": list(camera.looks)}
-    return {**lines, "SIZE": camera.size, "LENS": camera.lens, "RATE": camera.rate}
+    return {**lines, "DEVICE": camera.device, "SIZE": camera.size, "LENS": camera.lens, "RATE": camera.rate}
 
 
 def _world(world: WorldText) -> dict[str, Any]:
@@ -206,13 +213,17 @@ def _world(world: WorldText) -> dict[str, Any]:
 def _block(block: Block) -> tuple[str, str, dict[str, Any]]:
     match block:
         case PartBlock():
-            return "PART", block.name, {"FILE": block.file, **_spot(block.spot), "FREE": block.free}
+            lines: dict[str, Any] = {"FILE": block.file, **_spot(block.spot), "FREE": block.free}
+            return "PART", block.name, {**lines, "NAME": dict(block.names)}
         case PlaceBlock():
-            return "PLACE", block.name, {"ROBOTS": list(block.robots), **_spot(block.spot)}
+            lines = {"EMPTY": block.is_empty, "ROBOTS": list(block.robots), "HAND": block.hand and list(block.hand)}
+            titles = {"NAME": dict(block.names), "HANDNAME": dict(block.hand_names)}
+            return "PLACE", block.name, {**lines, **_spot(block.spot), **titles}
         case SwitchBlock():
             return "SWITCH", block.name, {"NEAR": block.near, "PRESSED": block.pressed}
         case LampBlock():
-            return "LAMP", block.name, {"WHEN": list(block.when), "SHINES": list(block.shines)}
+            lines = {"WHEN": list(block.when), "SHINES": list(block.shines), "GLOWS": list(block.glows)}
+            return "LAMP", block.name, {**lines, "NAME": dict(block.names)}
         case SensorBlock():
             return "SENSOR", block.name, _sensor(block)
         case CameraBlock():

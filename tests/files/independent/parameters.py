@@ -55,7 +55,7 @@ def parameter(key: str) -> str:
     """The name of a parameter of a module."""
     if key in KEYWORDS or any(c not in "_^.-" and not (c.isascii() and c.isalnum()) for c in key):
         raise ValueError(key)
-    if not key[0].isalpha() or key == "EOF":
+    if not key[:1].isalpha() or key == "EOF":
         raise ValueError(key)
     return key
 

@@ -10,7 +10,10 @@ DRIVES = ("position", "velocity", "torque")
 
 def robot(text: str) -> dict[str, Any]:
     script = _ours(text)
-    result: dict[str, Any] = {"DESC": blanks(script.new("DESC") or ""), "FILE": _file(script.take("FILE"))}
+    result: dict[str, Any] = {"DESC": blanks(script.new("DESC") or "")}
+    kind = script.new("KIND")
+    result["KIND"] = "" if kind is None else name(kind)
+    result["FILE"] = _file(script.take("FILE"))
     links, hand, on = script.new("LINKS"), script.new("HAND"), script.new("ON")
     if (links is None and hand is None) != (on is None):
         raise ValueError("HAND or LINKS, and ON")
@@ -82,9 +85,20 @@ def _arm(script: Script) -> dict[str, Any]:
     for keyword, low in (("HOME", -1e9), ("SPEED", 1e-6), ("TORQUE", 1e-6)):
         line = script.new(keyword)
         arm[keyword] = [] if line is None else _some([_from(word, low) for word in words(line)])
+    arm["GAINS"] = _gains(script, arm["DRIVE"])
     armature = script.new("ARMATURE")
     arm["ARMATURE"] = None if armature is None else _from(armature, 0.0)
     return arm
+
+
+def _gains(script: Script, drive: str) -> tuple[list[float], list[float]] | None:
+    stiffness, damping = script.new("KP"), script.new("KD")
+    if stiffness is None and damping is None:
+        return None
+    if stiffness is None or damping is None or drive != "torque":
+        raise ValueError("gains")
+    of_each, against_each = ([_from(word, 1e-6) for word in words(line)] for line in (stiffness, damping))
+    return _some(of_each), _some(against_each)
 
 
 def _axes(script: Script) -> dict[str, Any]:
@@ -92,12 +106,19 @@ def _axes(script: Script) -> dict[str, Any]:
 
 
 def _gripper(script: Script) -> dict[str, Any]:
-    moves = _names(script.take("MOVES"))
+    moves, drive = _names(script.take("MOVES")), script.new("DRIVE")
+    taken = one_of("opening" if drive is None else drive, "opening", "signal")
     opened, closed = ([_number(word) for word in words(script.take(keyword))] for keyword in ("OPEN", "CLOSED"))
     if len(opened) != 2 or len(closed) != 2 or opened[0] == closed[0] or not opened[1] > closed[1] >= 0:
         raise ValueError("OPEN and CLOSED")
     force = script.new("FORCE")
-    return {"MOVES": moves, "OPEN": opened, "CLOSED": closed, "FORCE": [] if force is None else _names(force)}
+    return {
+        "MOVES": moves,
+        "DRIVE": taken,
+        "OPEN": opened,
+        "CLOSED": closed,
+        "FORCE": [] if force is None else _names(force),
+    }
 
 
 def _base(script: Script) -> dict[str, Any]:
@@ -125,12 +146,14 @@ def _sensor(script: Script) -> dict[str, Any]:
 
 
 def _camera(script: Script) -> dict[str, Any]:
-    view, on, at, looks = (script.new(keyword) for keyword in ("VIEW", "ON", "AT", "LOOKS"))
+    view, on, at, looks, device = (script.new(keyword) for keyword in ("VIEW", "ON", "AT", "LOOKS", "DEVICE"))
     lens, size, rate = (script.new(keyword) for keyword in ("LENS", "SIZE", "RATE"))
     if (at is None) != (looks is None) or (at is not None and view is not None):
         raise ValueError("AT and LOOKS")
-    if at is None and (on is not None or lens is not None):
+    if at is None and (on is not None or (lens is not None and device is None)):
         raise ValueError("only with AT")
+    if device is not None and (view is not None or at is not None):
+        raise ValueError("DEVICE")
     places = [[] if line is None else [_number(word) for word in words(line)] for line in (at, looks)]
     if at is not None and (any(len(place) != 3 for place in places) or places[0] == places[1]):
         raise ValueError("AT and LOOKS")
@@ -138,6 +161,7 @@ def _camera(script: Script) -> dict[str, Any]:
     if max(width, height) > 640 or width % 1 or height % 1:
         raise ValueError("SIZE")
     camera: dict[str, Any] = {"VIEW": "" if view is None else one_word(view), "ON": "" if on is None else one_word(on)}
+    camera["DEVICE"] = "" if device is None else one_word(device)
     camera |= {"AT": places[0], "LOOKS": places[1], "SIZE": (int(width), int(height))}
     camera["LENS"] = 45.0 if lens is None else _from(lens, 1.0)
     camera["RATE"] = 10.0 if rate is None else _from(rate, 0.1)
@@ -152,11 +176,29 @@ def _part(script: Script) -> dict[str, Any]:
     if free is not None and len(words(free)) > 1:
         raise ValueError("FREE")
     part["FREE"] = None if free is None else _from(free or "0", 0.0)
-    return part
+    return {**part, "NAME": _titles(script, "NAME")}
+
+
+def _titles(script: Script, keyword: str) -> dict[str, str]:
+    titles: dict[str, str] = {}
+    while (line := script.new(keyword)) is not None:
+        language, *title = words(line)
+        if language not in ("en", "es") or language in titles or not title:
+            raise ValueError(keyword)
+        titles[language] = " ".join(title)
+    return titles
 
 
 def _place(script: Script) -> dict[str, Any]:
-    return {"ROBOTS": [name(robot) for robot in _names(script.take("ROBOTS"))], **_spot(script)}
+    robots, hand = _names(script.take("ROBOTS")), script.new("HAND")
+    is_empty = robots[0] == "-"
+    place: dict[str, Any] = {"EMPTY": is_empty, "ROBOTS": [name(robot) for robot in robots[is_empty:]]}
+    if not place["ROBOTS"]:
+        raise ValueError("ROBOTS")
+    place["HAND"] = None if hand is None else words(hand)
+    if hand is not None and len(words(hand)) != 2:
+        raise ValueError("HAND")
+    return {**place, **_spot(script), "NAME": _titles(script, "NAME"), "HANDNAME": _titles(script, "HANDNAME")}
 
 
 def _switch(script: Script) -> dict[str, Any]:
@@ -174,8 +216,9 @@ def _switch(script: Script) -> dict[str, Any]:
 
 
 def _lamp(script: Script) -> dict[str, Any]:
-    when, shines = _names(script.take("WHEN")), script.new("SHINES")
-    return {"WHEN": when, "SHINES": [] if shines is None else _names(shines)}
+    when, shines, glows = _names(script.take("WHEN")), script.new("SHINES"), script.new("GLOWS")
+    shapes = [[] if line is None else _names(line) for line in (shines, glows)]
+    return {"WHEN": when, "SHINES": shapes[0], "GLOWS": shapes[1], "NAME": _titles(script, "NAME")}
 
 
 def _button(script: Script) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """What time it is for bookings: the machine's clock, but for steps of it while somebody's time runs (F09)."""
 
 from collections.abc import Callable
+from time import monotonic_ns, time
 
 STEP_S = 1.0
 """What a clock is corrected by at most without anybody's being told."""
@@ -13,7 +14,7 @@ class SiteClock:
     monotonic   one that nobody sets, in ns
     """
 
-    def __init__(self, wall: Callable[[], float], monotonic: Callable[[], int]) -> None:
+    def __init__(self, wall: Callable[[], float] = time, monotonic: Callable[[], int] = monotonic_ns) -> None:
         self._wall = wall
         self._monotonic = monotonic
         self._ahead_s = wall() - monotonic() * 1e-9
