@@ -13,15 +13,17 @@ from onika.cli.language import say
 from onika.cli.orderly_exit import in_order
 from onika.cli.run import answer_of, expectation_of, joined_answers, redirect_of, seconds_of
 from onika.cli.search_path import directory, site_here
-from onika.desk.plan.preparation import prepare_run
+from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.varied import varied
 from onika.desk.run.settings import RunSettings
 from onika.desk.sweep import plot
 from onika.desk.sweep.case import CaseResult
+from onika.desk.sweep.cluster import NoCluster, cluster_sweep
 from onika.desk.sweep.design import SweepDesign
 from onika.desk.sweep.results_file import ResultsFile, SweepHead, open_results
 from onika.desk.sweep.statistics import SweepSummary, VariedPart, rate, summarise
 from onika.desk.sweep.sweep import sweep
+from onika.desk.sweep.swept_program import SweptProgram
 from onika.desk.sweep.variation import Variation
 from onika.desk.trial.account import digest_of
 from onika.store.site import Site
@@ -63,6 +65,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         help=say(Reason.of("cli.run_redirect")),
     )  # fmt: skip
     parser.add_argument("--jobs", type=_jobs, default=0, metavar="N", help=say(Reason.of("cli.test_jobs")))
+    parser.add_argument("--cluster", metavar="tcp://HOST:PORT", help=say(Reason.of("cli.sweep_cluster")))
     parser.add_argument("--out", type=Path, metavar=f"OUT{_ENDING}", help=say(Reason.of("cli.sweep_out")))
     parser.add_argument("--plot", type=Path, metavar="OUT.svg", help=say(Reason.of("cli.sweep_plot")))
     parser.add_argument("--json", action="store_true", help=say(Reason.of("cli.sweep_json")))
@@ -74,14 +77,18 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Do it; 0 if all runs are good, 1 if one is not, 2 if nothing was run."""
     design, site = _design(given), site_here(given.local)
-    head, faults = _head(design, site)
+    prepared = prepare_run(design.settings.name, site, design.settings.redirects)
+    head, faults = _head(design, prepared)
     results = open_results(given.out or Path(Path(given.application).stem + _ENDING), head) if not faults else faults[0]
     if isinstance(results, Fault):
         for fault in faults or (results,):
             print(say(fault.sentence), file=sys.stderr)
         return 2
     try:
-        is_whole = _run(design, site, results, given)
+        is_whole = _run(design, prepared, site, results, given)
+    except NoCluster as none:
+        print(say(reason_of(none)), file=sys.stderr)
+        return 2
     finally:
         results.close()
     wanted = [results.results[seed] for seed in design.seeds if seed in results.results]
@@ -109,9 +116,8 @@ def _design(given: argparse.Namespace) -> SweepDesign:
     return SweepDesign(settings, given.seeds, tuple(given.vary), not given.no_shake)
 
 
-def _head(design: SweepDesign, site: Site) -> tuple[SweepHead, tuple[Fault, ...]]:
+def _head(design: SweepDesign, prepared: PreparedRun) -> tuple[SweepHead, tuple[Fault, ...]]:
     """What all runs have in common; why none can be run."""
-    prepared = prepare_run(design.settings.name, site, design.settings.redirects)
     if prepared.plan is None or prepared.faults:
         return SweepHead(1, design.command, ""), prepared.faults
     first = next(design.cases())
@@ -119,13 +125,19 @@ def _head(design: SweepDesign, site: Site) -> tuple[SweepHead, tuple[Fault, ...]
     return SweepHead(1, design.command, digest_of(prepared.plan)), faults
 
 
-def _run(design: SweepDesign, site: Site, results: ResultsFile, given: argparse.Namespace) -> bool:
-    """Do what is not done yet; whether all is done then."""
+def _run(
+    design: SweepDesign, prepared: PreparedRun, site: Site, results: ResultsFile, given: argparse.Namespace
+) -> bool:
+    """Do what is not done yet; whether all is done then. Raises NoCluster."""
     cases = [case for case in design.cases() if case.seed not in results.results]
+    if given.cluster is None:
+        ending = sweep(design, prepared, cases, site, given.jobs or os.cpu_count() or 1)
+    else:
+        ending = cluster_sweep(SweptProgram.of(design, prepared), cases, given.cluster, given.jobs)
     count, is_terminal = len(design.seeds), sys.stderr.isatty()
     try:
         with in_order():
-            for result in sweep(design, cases, site, given.jobs or os.cpu_count() or 1):
+            for result in ending:
                 results.add(result)
                 if given.json:
                     sys.stdout.write(msgspec.json.encode(result).decode() + "\n")

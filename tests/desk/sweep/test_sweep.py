@@ -20,7 +20,7 @@ class Runtimes:
         self.seeds = []
         self.breaks_at = None
 
-    def __call__(self, site):
+    def __call__(self, prepared, site):
         return self
 
     def __enter__(self):
@@ -50,18 +50,18 @@ def runtimes(monkeypatch):
 
 @pytest.mark.parametrize("jobs", [1, 3, 50])
 def test_each_case_is_done_once_by_no_more_runtimes_than_wished(runtimes, jobs):  # R-X23
-    results = list(sweep(DESIGN, DESIGN.cases(), None, jobs))
+    results = list(sweep(DESIGN, None, DESIGN.cases(), None, jobs))
     assert sorted(result.case.seed for result in results) == list(range(20)) == sorted(runtimes.seeds)
     assert runtimes.begun == runtimes.ended == min(jobs, 20)
 
 
 def test_without_a_case_nothing_is_launched_for_long(runtimes):  # R-X23
-    assert list(sweep(DESIGN, [], None, 4)) == []
+    assert list(sweep(DESIGN, None, [], None, 4)) == []
     assert runtimes.seeds == []
 
 
 def test_whoever_stops_listening_ends_it_and_every_runtime(runtimes):  # R-X23
-    results = sweep(DESIGN, DESIGN.cases(), None, 1)
+    results = sweep(DESIGN, None, DESIGN.cases(), None, 1)
     next(results)
     results.close()
     assert runtimes.begun == runtimes.ended == 1
@@ -71,5 +71,5 @@ def test_whoever_stops_listening_ends_it_and_every_runtime(runtimes):  # R-X23
 def test_a_fault_of_ours_is_raised_where_the_results_are_read(runtimes):  # R-X23
     runtimes.breaks_at = 3
     with pytest.raises(RuntimeError, match="a fault of ours"):
-        list(sweep(DESIGN, DESIGN.cases(), None, 1))
+        list(sweep(DESIGN, None, DESIGN.cases(), None, 1))
     assert runtimes.begun == runtimes.ended

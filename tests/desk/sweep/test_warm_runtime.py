@@ -46,7 +46,7 @@ class Machine:
         return iter(())
 
     @contextmanager
-    def start_on(self, runtime_for, settings, site):
+    def start_on(self, runtime_for, settings, site, prepared):
         assert runtime_for(SimpleNamespace(flows=(), code=()), {"yard": {"mass": 2.0}}) is self
         end = self.ends.pop(0)
         if isinstance(end, Exception):
@@ -69,7 +69,7 @@ def machine(monkeypatch):
 
 def done(machine, *ends):
     machine.ends += ends
-    with WarmRuntime(None) as runtime:
+    with WarmRuntime(None, None) as runtime:
         results = []
         while machine.ends:
             results.append(runtime.do(Case(3), SETTINGS, 60.0))
@@ -110,7 +110,7 @@ def test_one_that_is_refused_is_told_with_its_first_reason(machine):  # R-X23
 def test_a_runtime_that_will_not_be_renewed_is_replaced(machine):  # R-X23
     machine.answer = request.Refused(Reason.plain("somebody is connected"))
     machine.ends.append((GOOD,))
-    with WarmRuntime(None) as runtime:
+    with WarmRuntime(None, None) as runtime:
         result = runtime.do(Case(3), SETTINGS, 60.0)
     assert (result.state, str(result.cause)) == ("lost", "somebody is connected")
     assert (machine.launched, machine.closed) == (2, 2)

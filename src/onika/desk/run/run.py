@@ -101,22 +101,30 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
 
 @contextmanager
 def start_on(
-    runtime_for: Callable[[Plan, WorldValues], RuntimeConversation], settings: RunSettings, site: Site
+    runtime_for: Callable[[Plan, WorldValues], RuntimeConversation],
+    settings: RunSettings,
+    site: Site,
+    prepared: PreparedRun | None = None,
 ) -> Iterator[Running]:
-    """As `start`, on a runtime that is there and stays; it is asked for when the plan is known."""
+    """As `start`, on a runtime that is there and stays; it is asked for when the plan is known.
+
+    prepared   the application, where it was prepared for an earlier run
+    """
 
     @contextmanager
     def stays(plan: Plan, values: WorldValues) -> Iterator[RuntimeConversation]:
         yield runtime_for(plan, values)
 
-    with _started(settings, site, stays) as running:
+    with _started(settings, site, stays, prepared) as running:
         yield running
 
 
 @contextmanager
-def _started(settings: RunSettings, site: Site, opens: Opens | None) -> Iterator[Running]:
+def _started(
+    settings: RunSettings, site: Site, opens: Opens | None, prepared: PreparedRun | None = None
+) -> Iterator[Running]:
     outcome = Outcome(settings.name)
-    with _open(settings, site, outcome, is_held=settings.is_virtual, opens=opens) as opened:
+    with _open(settings, site, outcome, settings.is_virtual, opens, prepared) as opened:
         if opened is None:
             raise NotRun(outcome.faults)
         running, _ = opened
@@ -151,10 +159,15 @@ def run(settings: RunSettings, site: Site, watcher: RunWatcher, opens: Opens | N
 
 @contextmanager
 def _open(
-    settings: RunSettings, site: Site, outcome: Outcome, is_held: bool, opens: Opens | None = None
+    settings: RunSettings,
+    site: Site,
+    outcome: Outcome,
+    is_held: bool,
+    opens: Opens | None = None,
+    ready: PreparedRun | None = None,
 ) -> Iterator[tuple[Running, tuple[ScriptLine, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
-    prepared, recorded = _prepared(settings, site, outcome)
+    prepared, recorded = _prepared(settings, site, outcome, ready)
     if prepared is None or prepared.plan is None:
         yield None
         return
@@ -182,7 +195,9 @@ def _open(
             yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), script_lines
 
 
-def _prepared(settings: RunSettings, site: Site, outcome: Outcome) -> tuple[PreparedRun | None, RecordedRun | None]:
+def _prepared(
+    settings: RunSettings, site: Site, outcome: Outcome, ready: PreparedRun | None
+) -> tuple[PreparedRun | None, RecordedRun | None]:
     """What is to be run, from files or from a recording; the outcome is told what is wrong and worth knowing."""
     recorded: RecordedRun | None = None
     if settings.source is not None:
@@ -193,7 +208,9 @@ def _prepared(settings: RunSettings, site: Site, outcome: Outcome) -> tuple[Prep
             return None, None
         outcome.notes += source.notes
         recorded = source
-    prepared = prepare_run(settings.name, site, _by_number(settings)) if recorded is None else recorded.prepared
+    prepared = ready if recorded is None else recorded.prepared
+    if prepared is None:
+        prepared = prepare_run(settings.name, site, _by_number(settings))
     outcome.name = prepared.name
     outcome.faults += prepared.faults
     outcome.notes += [note.sentence for note in prepared.notes]

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from queue import SimpleQueue
 from threading import Thread
 
+from onika.desk.plan.preparation import PreparedRun
 from onika.desk.sweep.case import Case, CaseResult
 from onika.desk.sweep.design import SweepDesign
 from onika.desk.sweep.warm_runtime import WarmRuntime
@@ -13,8 +14,13 @@ LONGEST_S = 3600.0
 """How much virtual time a run may take where nothing else is said."""
 
 
-def sweep(design: SweepDesign, cases: Iterable[Case], site: Site, jobs: int) -> Iterator[CaseResult]:
+def sweep(
+    design: SweepDesign, prepared: PreparedRun, cases: Iterable[Case], site: Site, jobs: int
+) -> Iterator[CaseResult]:
     """Do these cases, so many at a time; each result as soon as it is there, in any order.
+
+    prepared   the application of the design
+    site       where the task is sought that could stand for one that is refused
 
     Whoever stops listening ends it: what is under way then is finished and lost.
     """
@@ -27,7 +33,7 @@ def sweep(design: SweepDesign, cases: Iterable[Case], site: Site, jobs: int) -> 
     jobs = max(1, min(jobs, count))
     for _ in range(jobs):
         waiting.put(None)
-    threads = [Thread(target=_work, args=(design, site, waiting, done), daemon=True) for _ in range(jobs)]
+    threads = [Thread(target=_work, args=(design, prepared, site, waiting, done), daemon=True) for _ in range(jobs)]
     for thread in threads:
         thread.start()
     try:
@@ -48,13 +54,14 @@ def sweep(design: SweepDesign, cases: Iterable[Case], site: Site, jobs: int) -> 
 
 def _work(
     design: SweepDesign,
+    prepared: PreparedRun,
     site: Site,
     waiting: "SimpleQueue[Case | None]",
     done: "SimpleQueue[CaseResult | BaseException | None]",
 ) -> None:
     """One thread: a runtime, and cases until there is none."""
     try:
-        with WarmRuntime(site) as runtime:
+        with WarmRuntime(prepared, site) as runtime:
             while (case := waiting.get()) is not None:
                 done.put(runtime.do(case, design.settings_of(case), LONGEST_S))
     except BaseException as wrong:

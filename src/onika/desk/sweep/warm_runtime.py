@@ -3,6 +3,7 @@
 from types import TracebackType
 
 from onika.desk.plan.compile import rtpus_of
+from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.run import NotRun, start_on
 from onika.desk.run.settings import RunSettings
@@ -19,9 +20,10 @@ _TRIES = 2
 
 
 class WarmRuntime:
-    """Does the cases of one sweep, one at a time; use as a `with` block."""
+    """Does the cases of one sweep, one at a time; use as a `with` block, or close it."""
 
-    def __init__(self, site: Site) -> None:
+    def __init__(self, prepared: PreparedRun, site: Site) -> None:
+        self._prepared = prepared
         self._site = site
         self._runtime: LaunchedRuntime | None = None
         self._is_used = False
@@ -32,7 +34,7 @@ class WarmRuntime:
     def __exit__(
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._end()
+        self.close()
 
     def do(self, case: Case, settings: RunSettings, limit_s: float) -> CaseResult:
         """Do a run; one whose runtime dies is done once more, on a new one."""
@@ -40,7 +42,7 @@ class WarmRuntime:
             try:
                 return self._run(case, settings, limit_s)
             except (LinkLost, TimeoutError) as lost:
-                self._end()
+                self.close()
                 if tried == _TRIES:
                     return CaseResult(case, "lost", reason_of(lost))
         raise AssertionError("unreachable")
@@ -50,7 +52,7 @@ class WarmRuntime:
             return self._ready(plan, settings.shake, values)
 
         try:
-            with start_on(runtime_for, settings, self._site) as running:
+            with start_on(runtime_for, settings, self._site, self._prepared) as running:
                 for _ in timed_events(running, limit_s):
                     pass
                 result = running.result()
@@ -72,7 +74,8 @@ class WarmRuntime:
             pass
         return self._runtime
 
-    def _end(self) -> None:
+    def close(self) -> None:
+        """End the runtime that is there."""
         runtime, self._runtime = self._runtime, None
         if runtime is not None:
             runtime.__exit__(None, None, None)
