@@ -31,6 +31,8 @@ NEWS = [
     news.Refused("s", "t", "on", Reason.plain("no such task")),
     news.Got("s", "t", "progress", 0.5),
     news.Statuses("control", 0.25, (STATUS,)),
+    news.Appointed(4, 9_000, True),
+    news.HeldAlone(4, 9_000),
     news.Loads("control", (TaskLoad("s", "t", True, 100.0, 5.0, 9.0, 3),)),
 ]
 

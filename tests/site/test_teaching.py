@@ -11,7 +11,8 @@ from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
-from onika.desk.environment.runtime_thread import RuntimeThread
+from onika.desk.environment.stations import Stations
+from onika.desk.environment.world_channel import WorldChannel
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
 from onika.laws.textbook import serial_arm
@@ -30,11 +31,13 @@ class Bench:
         (folder / "home").mkdir()
         site = open_site([], {}, folder / "home")
         self.things = queue.Queue()
-        self.station = RuntimeThread(
-            RuntimeLauncher(("rt0",), is_virtual=True, options=("--scale", "4")), self.things.put
+        self.station = Stations(
+            RuntimeLauncher(("rt0",), is_virtual=True, options=("--scale", "4")), self.things.put, time.monotonic
         )
         model, _ = opened(site, None, {})
-        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
+        self.environment = Environment(
+            model, HANDLERS, Services(site, time.monotonic), WorldChannel(self.station, site)
+        )
         self.station.begin(self.environment)
 
     def answer(self, wish):

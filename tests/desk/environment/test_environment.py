@@ -137,6 +137,17 @@ def test_two_acts_that_ask_the_same_get_each_its_own_reply(begin):
     assert [str(answer.value) for answer in answers] == ["second", "first"]
 
 
+def test_the_reply_to_an_order_that_was_sent_with_more_in_it_is_that_of_the_act(begin):  # R-X19
+    def procedure(model, _act, _outside):
+        model, response = yield Ask(model, live.Change("main", kill=("pd",)))
+        return Done(model, value=response.number)
+
+    sitting, answers = begin(procedure)
+    sent = replace(sitting.orders[0], asked=live.Change("main", kill=("pd",), spawn=()))
+    sitting.environment.replied(sent, live.Accepted(3))
+    assert [answer.value for answer in answers] == [3]
+
+
 def test_what_an_act_has_done_is_shown_while_it_waits_and_stays_where_it_is_refused_then(begin):  # R-X10
     def procedure(model, _act, _outside):
         model, _ = yield Ask(people(model, 2), live.Survey())

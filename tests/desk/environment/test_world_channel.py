@@ -37,7 +37,7 @@ def test_a_task_brings_the_world_of_its_device(sent):  # R-X19
 def test_everything_else_goes_on_as_it_is(sent):
     lab, orders = sent
     channel = WorldChannel(orders, open_site([lab], {}, None))
-    asked = (live.Change("main", spawn=(task("boxes:arm_left"),)), live.Change("main", kill=("arm",)), live.Survey())
+    asked = (live.Change("main", spawn=(task("nowhere:arm_left"),)), live.Change("main", kill=("arm",)), live.Survey())
     for each in asked:
         channel.send(Order(each))
     assert tuple(orders) == asked

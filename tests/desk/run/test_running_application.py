@@ -126,6 +126,7 @@ def test_what_is_written_wrongly_or_refused_changes_nothing(running):  # R-E07
                 "abort",
                 "who",
                 "touch",
+                "pad",
                 "wait",
                 "expect",
             ),

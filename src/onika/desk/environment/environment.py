@@ -119,7 +119,7 @@ class Environment:
         """A runtime has replied to an order."""
         if order.then is not None:
             self._adopt(order.then(self.model.at(order.station or ""), response), "")
-        self._come(order, response)
+        self._come(order.identity, response)
 
     def receive(self, message: event.Event, station: str = "") -> None:
         """The runtime of a station has told something."""
@@ -158,7 +158,7 @@ class Environment:
         if isinstance(outcome, Ask):
             order = Order(outcome.request, reach=outcome.reach, station=carried.station)
             orders = (order, *orders)
-            self._waiting[order] = [carried]
+            self._waiting[order.identity] = [carried]
         elif isinstance(outcome, AwaitedNews):
             self._waiting.setdefault(outcome.what, []).append(carried)
         self._adopt(Done(outcome.model, orders=orders, says=outcome.says, news=outcome.news), by)

@@ -62,6 +62,8 @@ class Order:
     """None: asked only where a runtime is there."""
     station: str | None = None
     """Whose runtime is asked; None: that of the station in focus."""
+    identity: object = field(default_factory=object, repr=False)
+    """By what its response is known, also where another order that says more is sent in its place."""
 
     def at(self, station: str) -> "Order":
         """The order to this station, where it names none."""
