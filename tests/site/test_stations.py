@@ -149,13 +149,14 @@ def test_where_one_of_three_runtimes_is_cut_off_the_others_lose_nothing_and_stop
 
 @pytest.mark.slow
 def test_the_others_are_as_quick_as_with_three_that_are_heard(sites):  # R-F02
-    def slowest():
-        took = sorted(sites.turned(name) for _ in range(150) for name in NAMES[:2])
-        return took[len(took) // 2], took[len(took) * 99 // 100]
-
-    before, p99_before = slowest()
-    sites.there["livermore"].cut()
-    sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
-    during, p99_during = slowest()
-    figures = [round(seconds * 1e3, 1) for seconds in (before, during, p99_before, p99_during)]
-    assert during <= 1.1 * before + 1e-3 and p99_during <= 1.1 * p99_before + 5e-3, figures
+    whole, during = [], []
+    for _ in range(6):  # in turns, so that what else the machine does is in both
+        whole += [sites.turned(name) for _ in range(40) for name in NAMES[:2]]
+        sites.there["livermore"].cut()
+        sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
+        during += [sites.turned(name) for _ in range(40) for name in NAMES[:2]]
+        sites.there["livermore"].mended()
+        sites.until(lambda: not sites.environment.tree.stations["livermore"].is_cut)
+    ranks = [sorted(took)[len(took) * share // 100] for took in (whole, during) for share in (50, 99)]
+    median, slowest, median_cut, slowest_cut = ranks
+    assert median_cut <= 1.1 * median + 1e-3 and slowest_cut <= 1.1 * slowest + 5e-3, ranks
