@@ -12,6 +12,7 @@ from time import monotonic_ns
 
 from onika.booking.book import BookingBook, book_path
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
+from onika.files.state.audit_trail import OFF, AuditTrail, open_for
 from onika.files.state.state_directory import guarded, make_own, state_directory
 from onika.files.state.staying_runtime import StayingFile, StayingRuntime
 from onika.host.guards.call_watchdog import CallWatchdog
@@ -27,7 +28,6 @@ from onika.host.program import RuntimeProgram
 from onika.host.recording.black_box_holder import BlackBoxHolder, HolderProcess, InProcessHolder
 from onika.host.renewal import Renewal
 from onika.host.sessions.audit_log import AuditLog
-from onika.host.sessions.audit_trail import OFF, AuditTrail, open_for
 from onika.host.sessions.booked_use import BookedUse
 from onika.host.sessions.listen_options import ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
