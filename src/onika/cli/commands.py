@@ -22,7 +22,7 @@ from onika.words.system_error import system_reason_with_place
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
-KEEPING = frozenset(("page", "run", "test", "sweep", "runtime", "console"))
+KEEPING = frozenset(("page", "run", "test", "sweep", "runtime", "console", "user"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
 COMMANDS = (
@@ -39,6 +39,7 @@ COMMANDS = (
     "own",
     "library",
     "text",
+    "user",
     "audit",
     "doctor",
 )

@@ -3,8 +3,10 @@
 import argparse
 import asyncio
 import os
+import socket
 import sys
 import webbrowser
+from functools import partial
 from pathlib import Path
 
 from onika.cli.language import say
@@ -12,10 +14,13 @@ from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.desk.environment.reconcile.station_names import HERE
 from onika.files.state.state_directory import state_directory
+from onika.link.certificate import fingerprint
 from onika.link.ssh_address import address_of
 from onika.link.token import read_token
+from onika.web.access.page_place import PageOptions, PagePlace, judged
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
+from onika.words.fault import Fault
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of
 from onika.words.system_error import system_reason
@@ -43,6 +48,11 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--token-file", action="append", default=[], type=token_file, metavar="[NAME=]FILE",
         help=say(Reason.of("cli.page_token_file")),
     )  # fmt: skip
+    parser.add_argument("--listen", metavar="HOST[:PORT]", help=say(Reason.of("cli.page_listen")))
+    parser.add_argument("--cert", metavar="FILE", help=say(Reason.of("cli.page_cert")))
+    parser.add_argument("--key", metavar="FILE", help=say(Reason.of("cli.runtime_key")))
+    parser.add_argument("--users", metavar="FILE", help=say(Reason.of("cli.page_users")))
+    parser.add_argument("--name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name")))
     parser.add_argument("--no-connect", action="store_true", help=say(Reason.of("cli.page_no_connect")))
     parser.add_argument(
         "--rtpu", action="append", default=[], type=unit, metavar="NAME",
@@ -65,12 +75,12 @@ def carry_out(given: argparse.Namespace) -> int:
     strange = next((name for name in (*names, *tokens) if name and (names.count(name) != 1)), None)
     if strange is not None:
         given.complain(say(Reason.of("cli.station_once", name=strange)))
-    try:
-        listening = bound(PORT if given.port is None else given.port)
-    except OSError as taken:
-        if given.port is not None:
-            given.complain(say(Reason.of("cli.port_taken", port=given.port, why=system_reason(taken))))
-        listening = bound(0)
+    place, faults = _place(given)
+    for fault in faults:
+        print(say(fault.sentence), file=sys.stderr)
+    if faults:
+        return 2
+    listening = _listening(given, place)
     options = EnvironmentOptions(
         files=tuple(given.files),
         url=given.connect or "",
@@ -92,8 +102,42 @@ def carry_out(given: argparse.Namespace) -> int:
         _tell(address, shows, is_first=not answers)
         answers.append(address)
 
-    asyncio.run(program.run(listening, tell))
+    asyncio.run(program.run(listening, tell if place is None else partial(_tell_others, place), place))
     return 0
+
+
+def _tell_others(place: PagePlace, address: str) -> None:
+    print(say(Reason.of("cli.page_served", address=address)), flush=True)
+    print(say(Reason.of("cli.page_fingerprint", fingerprint=fingerprint(place.certificate))), flush=True)
+
+
+def _place(given: argparse.Namespace) -> tuple[PagePlace | None, list[Fault]]:
+    """Where the page is served to others, where that is asked for, and what is missing for it."""
+    if given.listen:
+        if given.port is not None:
+            given.complain(say(Reason.of("cli.listen_or_port")))
+        wanted = PageOptions(given.listen, given.cert or "", given.key or "", given.users or "", tuple(given.name))
+        return judged(wanted, PORT)
+    named = {"--cert": given.cert, "--key": given.key, "--users": given.users, "--name": given.name}
+    without = next((option for option, value in named.items() if value), None)
+    if without is not None:
+        given.complain(say(Reason.of("cli.listen_expected", option=without)))
+    return None, []
+
+
+def _listening(given: argparse.Namespace, place: PagePlace | None) -> socket.socket:
+    """The port: that which is asked for, else the usual one or any that is free."""
+    if place is not None:
+        try:
+            return bound(place.port, place.host)
+        except OSError as wrong:
+            given.complain(say(Reason.of("cli.not_listening", listen=given.listen, why=system_reason(wrong))))
+    try:
+        return bound(PORT if given.port is None else given.port)
+    except OSError as taken:
+        if given.port is not None:
+            given.complain(say(Reason.of("cli.port_taken", port=given.port, why=system_reason(taken))))
+        return bound(0)
 
 
 def station(text: str) -> tuple[str, str]:

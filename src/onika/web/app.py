@@ -2,23 +2,28 @@
 
 import asyncio
 from pathlib import Path
+from time import monotonic
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.requests import Request
-from starlette.responses import FileResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
-from onika.link import refusal_header
 from onika.store.mesh_folder import MeshFolder
+from onika.web.access.entrance import Entrance
+from onika.web.access.sign_in import SignIn
+from onika.web.access.visitor import Visitor
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.mesh_route import mesh_route
-from onika.words.accepted_language import accepted_language
-from onika.words.reason import Reason, in_language
+from onika.web.pace import Pace
+from onika.web.refused_request import refused
+from onika.web.sign_in_routes import asked, sign_in_routes
+from onika.words.reason import Reason
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
@@ -26,36 +31,35 @@ STATIC = Path(__file__).parent / "static"
 _NOT_ALLOWED = 1008
 
 
-def application(login: Login, hub: Hub, static: Path = STATIC, meshes: MeshFolder | None = None) -> Starlette:
-    """The application; nothing but a refusal is told to whoever has no key. Worlds are drawn of `meshes`."""
+def application(entrance: Entrance, hub: Hub, static: Path = STATIC, meshes: MeshFolder | None = None) -> Starlette:
+    """The application; nothing but a refusal is told to whoever was not let in. Worlds are drawn of `meshes`."""
 
     async def page(request: Request) -> Response:
-        if not login.is_ours(request.headers):
-            return _refused(request, Reason.of("desk.no_such_host"), 421)
-        key = request.query_params.get("key")
-        if key is not None and not login.knows(request.cookies):
-            cookie = login.enter(key)
-            if cookie is None:
-                return _refused(request, Reason.of("desk.page_without_key"), 403)
-            return _with_cookie(RedirectResponse("/", 303), login.cookie_name, cookie)
-        if key is not None:
-            return RedirectResponse("/", 303)
-        if not login.knows(request.cookies):
-            return _refused(request, Reason.of("desk.page_without_key"), 403)
+        if not entrance.is_ours(request.headers):
+            return refused(request, Reason.of("desk.no_such_host"), 421)
+        if isinstance(entrance, Login) and "key" in request.query_params:
+            return _by_key(request, entrance)
+        if entrance.visitor(request.cookies) is None:
+            if isinstance(entrance, SignIn):
+                return asked(request)
+            return refused(request, Reason.of("desk.page_without_key"), 403)
         index = static / "index.html"
         if index.is_file():
             return FileResponse(index)
-        return _refused(request, Reason.of("desk.page_not_built"), 503)
+        return refused(request, Reason.of("desk.page_not_built"), 503)
 
     async def talk(socket: WebSocket) -> None:
-        if not (login.is_own_page(socket.headers) and login.knows(socket.cookies)):
+        visitor = entrance.visitor(socket.cookies) if entrance.is_own_page(socket.headers) else None
+        if visitor is None:
             await socket.close(_NOT_ALLOWED)
             return
         await socket.accept()
-        await _converse(socket, hub)
+        await _converse(socket, hub, visitor)
 
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
-    routes.append(mesh_route(login, meshes, _refused))
+    routes.append(mesh_route(entrance, meshes))
+    if isinstance(entrance, SignIn):
+        routes += sign_in_routes(entrance, hub.end)
     if (static / "assets").is_dir():
         routes.append(Mount("/assets", StaticFiles(directory=static / "assets")))
     return Starlette(
@@ -65,38 +69,49 @@ def application(login: Login, hub: Hub, static: Path = STATIC, meshes: MeshFolde
     )
 
 
-async def _converse(socket: WebSocket, hub: Hub) -> None:
-    """Until the browser leaves; what it sends that is no act is refused like any other."""
-    client = hub.come()
+def _by_key(request: Request, login: Login) -> Response:
+    """The page for whoever has the key of this machine, and the way back for whoever was let in before."""
+    if login.visitor(request.cookies) is not None:
+        return RedirectResponse("/", 303)
+    cookie = login.enter(request.query_params["key"])
+    if cookie is None:
+        return refused(request, Reason.of("desk.page_without_key"), 403)
+    response = RedirectResponse("/", 303)
+    response.set_cookie(login.cookie_name, cookie, httponly=True, samesite="strict", path="/")
+    return response
+
+
+async def _converse(socket: WebSocket, hub: Hub, visitor: Visitor) -> None:
+    """Until the browser leaves, or its session ends; what it sends that is no act is refused like any other."""
+    client = hub.come(visitor)
+    pace = Pace()
 
     async def send() -> None:
         while True:
             await socket.send_text((await client.outbox.next()).decode())
 
-    sending = asyncio.create_task(send())
-    try:
+    async def take() -> None:
         while (message := await socket.receive())["type"] != "websocket.disconnect":
             hub.take(client, message.get("text") or message.get("bytes") or "")
+            await asyncio.sleep(pace.wait_s(monotonic()))
+
+    taking, sending = asyncio.create_task(take()), asyncio.create_task(send())
+    ending = asyncio.create_task(client.ended.wait())
+    try:
+        await asyncio.wait((taking, ending), return_when=asyncio.FIRST_COMPLETED)
+        if not taking.done():
+            await socket.close(_NOT_ALLOWED)
     finally:
-        sending.cancel()
+        for part in (taking, sending, ending):
+            part.cancel()
         hub.leave(client)
+    if taking.done():
+        taking.result()
 
 
 async def _nothing_there(request: Request, _exception: Exception) -> Response:
-    return _refused(request, Reason.of("desk.no_such_page"), 404)
+    return refused(request, Reason.of("desk.no_such_page"), 404)
 
 
 async def _only_read(request: Request, _exception: Exception) -> Response:
-    return _refused(request, Reason.of("desk.only_read"), 405)
-
-
-def _refused(request: Request, reason: Reason, code: int) -> Response:
-    """The sentence in the language of ours that the browser likes best, and the reason in a header for programs."""
-    language = accepted_language(",".join(request.headers.getlist("accept-language")))
-    headers = {"content-language": language, refusal_header.HEADER: refusal_header.written(reason)}
-    return PlainTextResponse(f"{in_language(reason, language)}\n", code, headers)
-
-
-def _with_cookie(response: Response, name: str, cookie: str) -> Response:
-    response.set_cookie(name, cookie, httponly=True, samesite="strict", path="/")
-    return response
+    return refused(request, Reason.of("desk.only_read"), 405)

@@ -1,10 +1,12 @@
 """A limit of the connections that have shown nothing yet, so that a crowd at the door keeps nobody out who is in.
 
-A browser that is let in talks over a WebSocket; all other connections are few and short. Where too many come, the one
-that has been silent for longest goes first, before any more descriptors are used up.
+A browser that is let in talks over a WebSocket; all other connections are few and short. Where too many come, of the
+address that has the most the one goes that has been silent for longest, before any more descriptors are used up.
 """
 
 import asyncio
+from collections import Counter
+from collections.abc import Collection
 from typing import cast
 
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -28,7 +30,7 @@ def limited_protocol(most: int = MOST, limit_s: float = _LIMIT_S) -> type[H11Pro
             waiting[self] = None
             self._end = self.loop.call_later(limit_s, self._end_if_silent)
             if len(waiting) > most:
-                silent = next(filter(_is_silent, waiting), next(iter(waiting)))
+                silent = _in_the_way(waiting)
                 silent.transport.abort()
                 waiting.pop(silent, None)
 
@@ -51,6 +53,17 @@ def limited_protocol(most: int = MOST, limit_s: float = _LIMIT_S) -> type[H11Pro
                 self.transport.abort()
 
     return LimitedProtocol
+
+
+def _in_the_way(waiting: Collection[H11Protocol]) -> H11Protocol:
+    """Of the address that has the most connections the one that has been silent for longest."""
+    crowded, _ = Counter(map(_address, waiting)).most_common(1)[0]
+    same = [protocol for protocol in waiting if _address(protocol) == crowded]
+    return next(filter(_is_silent, same), same[0])
+
+
+def _address(protocol: H11Protocol) -> str:
+    return protocol.client[0] if protocol.client else ""
 
 
 def _is_silent(protocol: H11Protocol) -> bool:

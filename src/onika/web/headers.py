@@ -46,7 +46,7 @@ class StrictHeaders:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
                 for name, value in _ALWAYS.items():
-                    headers[name] = value
+                    headers.setdefault(name, value)  # a page may have a policy that is stricter
                 headers["cache-control"] = _FOR_EVER if _is_for_ever(scope["path"], message["status"]) else "no-store"
             await send(message)
 

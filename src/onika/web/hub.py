@@ -1,5 +1,6 @@
 """The hub of all browsers that look at one environment: what one does, all see."""
 
+import asyncio
 import time
 from collections import deque
 from collections.abc import Callable, Iterable
@@ -11,6 +12,9 @@ import msgspec
 from onika import __version__
 from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.outcome.outcome import Done
+from onika.link.caller import Role
+from onika.web.access.act_rights import refusal
+from onika.web.access.visitor import OWNER, Visitor
 from onika.web.outbox import Outbox
 from onika.wire import act, page
 from onika.words.reason import Reason
@@ -32,10 +36,12 @@ class WatchedValues(Protocol):
 
 
 class BrowserClient:
-    """One browser."""
+    """One browser; `ended` is set when it has to go."""
 
-    def __init__(self, name: str, snapshot: Callable[[], bytes]) -> None:
+    def __init__(self, name: str, visitor: Visitor, snapshot: Callable[[], bytes]) -> None:
         self.name = name
+        self.visitor = visitor
+        self.ended = asyncio.Event()
         self.outbox = Outbox(snapshot)
         self.watch = act.Watch()
 
@@ -50,6 +56,8 @@ class Hub:
         self, environment: Environment, watched: WatchedValues, clock: Callable[[], float] = time.time
     ) -> None:
         self._clock = clock
+        self.denials: list[Callable[[Visitor, act.AnyAct], None]] = []
+        """Told of each act that a visitor's role may not do."""
         self._environment = environment
         self._watched = watched
         self._clients: list[BrowserClient] = []
@@ -62,16 +70,31 @@ class Hub:
         """Whether anybody wants frames."""
         return any(client.watch.variables or client.watch.worlds or client.watch.figures for client in self._clients)
 
-    def come(self) -> BrowserClient:
+    @property
+    def sessions(self) -> frozenset[str]:
+        """The sessions of those who are here."""
+        return frozenset(client.visitor.session for client in self._clients)
+
+    def come(self, visitor: Visitor = OWNER) -> BrowserClient:
         """A browser comes in; the first it is sent is a snapshot."""
         self._came += 1
-        name = f"browser {self._came}"
-        client = BrowserClient(name, lambda: self._snapshot(name))
+        name = f"{visitor.user or 'browser'} {self._came}"
+        client = BrowserClient(name, visitor, lambda: self._snapshot(client))
         for message in self._remembered:
             client.outbox.put(message)
         self._clients.append(client)
         self._count()
         return client
+
+    def end(self, session: str) -> None:
+        """Whoever is here by this session has to go."""
+        for client in self._clients:
+            if session and client.visitor.session == session:
+                client.ended.set()
+
+    def visitor(self, name: str) -> Visitor | None:
+        """Who the browser of this name belongs to; None: it is none that is here."""
+        return next((client.visitor for client in self._clients if client.name == name), None)
 
     def leave(self, client: BrowserClient) -> None:
         """A browser is gone."""
@@ -80,12 +103,20 @@ class Hub:
         self._count()
 
     def take(self, client: BrowserClient, body: str | bytes) -> None:
-        """Carry out what a browser sends; what is no act is refused."""
+        """Carry out what a browser sends; what is no act, or not for him who sends it, is refused."""
+        if client.ended.is_set():
+            return
         try:
             ordered = page.decode(body)
         except ValueError as error:
             reason = Reason.of("desk.no_act", why=Reason.plain(str(error)))
             client.outbox.put(page.encode(page.Refused(page.number_of(body), reason)))
+            return
+        why = refusal(client.visitor, ordered.act)
+        if why:
+            client.outbox.put(page.encode(page.Refused(ordered.cid, why)))
+            for denial in self.denials:
+                denial(client.visitor, ordered.act)
             return
         if isinstance(ordered.act, act.Watch):
             client.watch = ordered.act
@@ -137,9 +168,12 @@ class Hub:
         )
         client.outbox.put(page.encode(message))
 
-    def _snapshot(self, name: str) -> bytes:
-        environment = self._environment
-        return page.encode(page.Snapshot(environment.revision, environment.tree, __version__, name))
+    def _snapshot(self, client: BrowserClient) -> bytes:
+        environment, visitor = self._environment, client.visitor
+        role = "" if visitor.role is Role.OWNER and not visitor.user else visitor.role.word
+        return page.encode(
+            page.Snapshot(environment.revision, environment.tree, __version__, client.name, visitor.user, role)
+        )
 
     def _stamped(self, message: page.Say) -> page.Say:
         """With the time: a page tells what is new from what it is only reminded of."""

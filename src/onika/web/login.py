@@ -4,6 +4,8 @@ import hmac
 import secrets
 from collections.abc import Callable, Mapping
 
+from onika.web.access.visitor import OWNER, Visitor
+
 
 class Login:
     """Keeps the key and the cookies of one environment, and knows the addresses at which it is reached.
@@ -34,6 +36,10 @@ class Login:
         """Whether a browser came in before."""
         given = cookies.get(self.cookie_name, "").encode()
         return any(hmac.compare_digest(given, cookie.encode()) for cookie in self._cookies)
+
+    def visitor(self, cookies: Mapping[str, str]) -> Visitor | None:
+        """Whoever has the key may do everything; None: somebody who never had it."""
+        return OWNER if self.knows(cookies) else None
 
     def is_ours(self, headers: Mapping[str, str]) -> bool:
         """Whether a request names us as its host: a foreign name that leads here does not (DNS rebinding)."""

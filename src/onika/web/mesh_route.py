@@ -1,34 +1,32 @@
-"""Meshes of worlds for the page that draws them: `/mesh/NAME`, for whoever has the key, kept for ever by its name."""
+"""Meshes of worlds for the page that draws them: `/mesh/NAME`, for whoever was let in, kept for ever by its name."""
 
 import asyncio
 import gzip
-from collections.abc import Callable
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
 from onika.store.mesh_folder import MeshFolder
-from onika.web.login import Login
+from onika.web.access.entrance import Entrance
+from onika.web.refused_request import refused
 from onika.words.reason import Reason
-
-Refuse = Callable[[Request, Reason, int], Response]
 
 _BYTES = "application/octet-stream"
 
 
-def mesh_route(login: Login, meshes: MeshFolder | None, refuse: Refuse) -> Route:
+def mesh_route(entrance: Entrance, meshes: MeshFolder | None) -> Route:
     """The way to the meshes; without a folder there are none."""
 
     async def mesh(request: Request) -> Response:
-        if not login.is_ours(request.headers):
-            return refuse(request, Reason.of("desk.no_such_host"), 421)
-        if not login.knows(request.cookies):
-            return refuse(request, Reason.of("desk.page_without_key"), 403)
+        if not entrance.is_ours(request.headers):
+            return refused(request, Reason.of("desk.no_such_host"), 421)
+        if entrance.visitor(request.cookies) is None:
+            return refused(request, Reason.of("desk.page_without_key"), 403)
         name = request.path_params["name"]
         packed = await asyncio.to_thread(meshes.packed, name) if meshes is not None else None
         if packed is None:
-            return refuse(request, Reason.of("desk.no_such_page"), 404)
+            return refused(request, Reason.of("desk.no_such_page"), 404)
         return _answer(packed, takes_gzip="gzip" in request.headers.get("accept-encoding", ""))
 
     return Route("/mesh/{name}", mesh)

@@ -35,10 +35,12 @@ from onika.store.remote.lock_file import LockFile
 from onika.store.remote.object_cache import ObjectCache, cache_directory
 from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
+from onika.web.access.guarded_door import GuardedDoor
+from onika.web.access.page_place import PagePlace
 from onika.web.app import application
 from onika.web.hub import Hub
-from onika.web.login import Login
-from onika.web.server import addresses, serve
+from onika.web.page_door import KeyDoor, PageDoor
+from onika.web.server import serve
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason_with_place
@@ -89,8 +91,10 @@ class EnvironmentProgram:
         self._options = options
         self._state = state
 
-    async def run(self, listening: socket.socket, on_ready: Callable[[str], None]) -> None:
-        """Until Ctrl-C; `on_ready` is told each address that lets one browser in."""
+    async def run(
+        self, listening: socket.socket, on_ready: Callable[[str], None], place: PagePlace | None = None
+    ) -> None:
+        """Until Ctrl-C; `on_ready` is told each address that lets one browser in, or that of `place`."""
         loop = asyncio.get_running_loop()
 
         def post(do: Callable[[], None]) -> None:
@@ -124,7 +128,9 @@ class EnvironmentProgram:
         environment = Environment(model, HANDLERS, surroundings, WorldChannel(stations, self._site))
         hub = Hub(environment, stations)
         hub.remember(says)
-        login = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
+        door: PageDoor = KeyDoor(listening, on_ready)
+        if place is not None:
+            door = GuardedDoor(place, listening, on_ready, environment, hub)
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
         self._open(environment)
@@ -135,12 +141,14 @@ class EnvironmentProgram:
             self._keep(environment, kept, autosave),
             self._judge(environment),
             self._foresee(environment, forecaster),
+            door.keep(),
         )
         try:
-            app = application(login, hub, meshes=MeshFolder(self._state))
-            await serve(app, listening, beside, lambda: on_ready(_address(listening, login.key)))
+            app = application(door.entrance, hub, meshes=MeshFolder(self._state))
+            await serve(app, listening, beside, door.ready, door.context)
         finally:
             listening.close()
+            door.close()
             if forecaster is not None:
                 forecaster.close()
             stations.end()
@@ -263,7 +271,3 @@ class EnvironmentProgram:
                 is_reported = True
                 environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=why)))
             await asyncio.sleep(_KEEP_S)
-
-
-def _address(listening: socket.socket, key: str) -> str:
-    return f"http://{addresses(listening)[0]}/?key={key}"

@@ -1,7 +1,8 @@
-"""The server of the page: the web application on a port of this machine, in one loop with the environment."""
+"""The server of the page: the web application on a port, in one loop with the environment."""
 
 import asyncio
 import socket
+import ssl
 from collections.abc import Callable, Coroutine, Iterable
 from typing import Any
 
@@ -9,18 +10,18 @@ import uvicorn
 from starlette.applications import Starlette
 
 from onika.web.connection_limit import limited_protocol
+from onika.web.tls_door import TlsDoor
 
 _BIGGEST = 8 * 1024 * 1024
 
 
-def bound(port: int) -> socket.socket:
-    """A socket on the loopback; port 0 takes any that is free. Raises OSError where the port is taken."""
-    listening = socket.socket(
-        socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP
-    )  # named: so asyncio delays no answer
+def bound(port: int, host: str = "127.0.0.1") -> socket.socket:
+    """A socket there, else on the loopback; port 0 takes any that is free. Raises OSError where the port is taken."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named: so asyncio delays no answer
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        listening.bind(("127.0.0.1", port))
+        listening.bind((host, port))
     except OSError:
         listening.close()
         raise
@@ -38,8 +39,9 @@ async def serve(
     listening: socket.socket,
     beside: Iterable[Coroutine[Any, Any, object]],
     on_ready: Callable[[], None],
+    context: ssl.SSLContext | None = None,
 ) -> None:
-    """Serve until Ctrl-C, or until one of what runs `beside` ends; raises what it raised."""
+    """Serve until Ctrl-C, or until one of what runs `beside` ends; raises what it raised. With `context` over TLS."""
     config = uvicorn.Config(
         app,
         log_level="warning",
@@ -50,12 +52,16 @@ async def serve(
         ws_max_size=_BIGGEST,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=1,
+        proxy_headers=False,  # nobody says for another from where he comes
+        server_header=False,
     )
     server = uvicorn.Server(config)
     others = [asyncio.ensure_future(coroutine) for coroutine in beside]
-    serving = asyncio.ensure_future(server.serve(sockets=[listening]))
+    serving = asyncio.ensure_future(server.serve(sockets=[] if context else [listening]))
     while not server.started and not serving.done():
         await asyncio.sleep(0.005)
+    if context is not None:
+        others.append(asyncio.ensure_future(TlsDoor(listening, context, _protocols(server)).keep()))
     on_ready()
     await asyncio.wait((serving, *others), return_when=asyncio.FIRST_COMPLETED)
     server.should_exit = True
@@ -64,3 +70,10 @@ async def serve(
         if other.done():
             other.result()
         other.cancel()
+
+
+def _protocols(server: uvicorn.Server) -> Callable[[], asyncio.Protocol]:
+    """What makes the protocol of a connection that has come in through another door than the server's own."""
+    protocol: Callable[..., asyncio.Protocol] = server.config.http_protocol_class
+    state = server.lifespan.state
+    return lambda: protocol(config=server.config, server_state=server.server_state, app_state=state)

@@ -33,6 +33,10 @@ class Snapshot(Message, frozen=True):
     version: str
     you: str
     """The name of this browser."""
+    user: str = ""
+    """Who has signed in there; empty: whoever sits at this machine."""
+    role: str = ""
+    """What he may do: `viewer`, `operator`, `programmer` or `owner`; empty: everything."""
 
 
 class Patch(Message, frozen=True):
