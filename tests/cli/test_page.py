@@ -13,7 +13,7 @@ def began(monkeypatch):
         def __init__(self, site, options, state):
             seen.append((site, options, state))
 
-        async def run(self, listening, on_ready):
+        async def run(self, listening, on_ready, place=None):
             seen.append(listening.getsockname())
             listening.close()
             on_ready("http://127.0.0.1:1/?key=x")

@@ -4,11 +4,14 @@ import msgspec
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
+from onika.link.caller import Role
 from onika.model.task import Task
+from onika.web.access.entrance import OWNER, Visitor
 from onika.web.hub import Hub
 from onika.wire import act, page
 from onika.words.reason import Reason
 
+OTHER = Visitor("bob", Role.OWNER, "s2")
 TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0),)
 
 
@@ -29,9 +32,9 @@ class Values:
 class Talk:
     """One browser, and what it was sent."""
 
-    def __init__(self, hub):
+    def __init__(self, hub, visitor=OWNER):
         self.hub = hub
-        self.client = hub.come()
+        self.client = hub.come(visitor)
 
     def send(self, cid, request):
         self.hub.take(self.client, msgspec.json.encode(page.Ordered(cid, request)))
@@ -163,3 +166,34 @@ def test_nobody_watching_is_known(hub):
     hub.leave(talk.client)
     assert not hub.is_watching
     assert hub._watched.wishes[-1][:3] == (frozenset(), frozenset(), False)
+
+
+def test_each_browser_is_told_who_it_is_and_what_it_may_do(hub):  # R-F10
+    ann = Talk(hub, Visitor("ann", Role.OPERATOR, "s1"))
+    told = ann.messages()[0]
+    assert (told["you"], told["user"], told["role"]) == ("ann 1", "ann", "operator")
+    assert "role" not in Talk(hub).messages()[0]
+    assert hub.visitor("ann 1").user == "ann"
+    assert hub.visitor("ann 2") is None
+    assert hub.sessions == {"s1", ""}
+
+
+def test_what_a_role_may_not_is_refused_with_its_number_and_told_on(hub):  # R-F10
+    denied = []
+    hub.denials.append(lambda visitor, command: denied.append((visitor.user, type(command))))
+    talk = Talk(hub, Visitor("wil", Role.VIEWER, "s1"))
+    before = hub._environment.model
+    talk.send(9, act.New())
+    refused = talk.messages()[-1]
+    assert (refused["t"], refused["cid"], refused["reason"]["key"]) == ("Refused", 9, "desk.only_watch_and_stop")
+    assert denied == [("wil", act.New)]
+    assert hub._environment.model.documents == before.documents
+
+
+def test_whoever_has_to_go_is_heard_no_more(hub):  # R-F10
+    ann, bob, near = (Talk(hub, visitor) for visitor in (Visitor("ann", Role.OWNER, "s1"), OTHER, OWNER))
+    hub.end("s1")
+    hub.end("")
+    assert [talk.client.ended.is_set() for talk in (ann, bob, near)] == [True, False, False]
+    ann.send(1, act.New())
+    assert hub._environment.model.documents == {}

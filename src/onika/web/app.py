@@ -13,9 +13,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from onika.store.mesh_folder import MeshFolder
-from onika.web.access.entrance import Entrance
+from onika.web.access.entrance import Entrance, Visitor
 from onika.web.access.sign_in import SignIn
-from onika.web.access.visitor import Visitor
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
 from onika.web.login import Login

@@ -6,11 +6,11 @@ that has the most makes room. No I/O, no clock.
 
 from collections import Counter, OrderedDict
 
-MOST = 128
+MOST = 256
 """Handshakes under way."""
-AT_ONCE = 48
+AT_ONCE = 128
 """What an address may begin without a pause: some browsers with a few connections each."""
-_NS = 125_000_000
+_NS = 50_000_000
 """After that it may begin one in so long."""
 _ADDRESSES = 4096
 

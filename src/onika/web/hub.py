@@ -14,7 +14,7 @@ from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.outcome.outcome import Done
 from onika.link.caller import Role
 from onika.web.access.act_rights import refusal
-from onika.web.access.visitor import OWNER, Visitor
+from onika.web.access.entrance import OWNER, Visitor
 from onika.web.outbox import Outbox
 from onika.wire import act, page
 from onika.words.reason import Reason

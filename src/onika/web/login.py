@@ -4,7 +4,7 @@ import hmac
 import secrets
 from collections.abc import Callable, Mapping
 
-from onika.web.access.visitor import OWNER, Visitor
+from onika.web.access.entrance import OWNER, Visitor
 
 
 class Login:

@@ -28,12 +28,12 @@ class TlsDoor:
         self._make = make
         self._limit = HandshakeLimit()
         self._under_way: dict[int, asyncio.Task[None]] = {}
+        listening.setblocking(False)
+        listening.listen(_BACKLOG)  # at once: whoever is told that it is open finds it so
 
     async def keep(self) -> None:
         """Let people in until it is cancelled."""
         loop = asyncio.get_running_loop()
-        self._listening.setblocking(False)
-        self._listening.listen(_BACKLOG)
         try:
             while True:
                 try:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from onika.link.caller import Role
-from onika.web.access.visitor import Visitor
+from onika.web.access.entrance import Visitor
 from onika.wire import act
 from onika.words.reason import NOTHING, Reason
 

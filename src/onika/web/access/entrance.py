@@ -1,9 +1,29 @@
 """The entrance of the page: who sends a request, and whether it is meant for us and comes from a page of ours."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Protocol
 
-from onika.web.access.visitor import Visitor
+from onika.link.caller import Role
+
+
+@dataclass(frozen=True, slots=True)
+class Visitor:
+    """Somebody who was let in.
+
+    user        his name; empty: whoever had the key of this machine
+    session     names what he came in by, so that it can be ended; no secret
+    address     from where he came in
+    """
+
+    user: str
+    role: Role
+    session: str = ""
+    address: str = ""
+
+
+OWNER = Visitor("", Role.OWNER)
+"""Whoever has the key that was printed on this machine."""
 
 
 class Entrance(Protocol):

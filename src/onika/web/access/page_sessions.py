@@ -8,8 +8,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from onika.link.token import digest
+from onika.web.access.entrance import Visitor
 from onika.web.access.page_users import PageUser
-from onika.web.access.visitor import Visitor
 
 IDLE_NS = 12 * 3600 * 1_000_000_000
 """Without an open page for so long it ends."""

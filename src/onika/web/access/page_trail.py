@@ -8,7 +8,7 @@ from typing import Protocol
 
 from onika.desk.environment.environment import ActAnswer
 from onika.web.access.act_rights import WATCHING
-from onika.web.access.visitor import Visitor
+from onika.web.access.entrance import Visitor
 from onika.wire import act
 from onika.words.reason import NOTHING, Reason
 

@@ -33,10 +33,10 @@ class PasswordHash:
         return f"{_NAME}:{self.cost}:{self.lanes}:{self.salt.hex()}:{self.digest.hex()}"
 
     @classmethod
-    def of(cls, password: str) -> "PasswordHash":
+    def of(cls, password: str, cost: int = _COST, lanes: int = _LANES) -> "PasswordHash":
         """A new one, with a salt that nobody else has."""
         salt = secrets.token_bytes(_SALT)
-        return cls(salt, _derived(password, salt, _COST, _LANES))
+        return cls(salt, _derived(password, salt, cost, lanes), cost, lanes)
 
     @classmethod
     def parse(cls, text: str) -> "PasswordHash":

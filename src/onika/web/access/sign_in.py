@@ -9,11 +9,11 @@ from concurrent.futures import ThreadPoolExecutor
 from time import monotonic_ns
 
 from onika.link.address import split_host
+from onika.web.access.entrance import Visitor
 from onika.web.access.page_sessions import PageSessions
 from onika.web.access.page_trail import PageTrail
 from onika.web.access.page_users import PageUserFile
 from onika.web.access.password_hash import NOBODY, PasswordHash
-from onika.web.access.visitor import Visitor
 from onika.web.access.wrong_tries import WrongTries
 from onika.words.reason import Reason
 
@@ -71,6 +71,7 @@ class SignIn:
 
         A try counts before it is judged, so that a thousand at a time are not more than ten.
         """
+        self._users.look()
         user = self._users.users.get(name)
         shown = name if user is not None else ""  # somebody may have typed his password there
         wait_ns = self._tries.wait_ns(address, self._clock())
