@@ -2139,6 +2139,8 @@ export interface Snapshot {
   tree: Tree;
   version: string;
   you: string;
+  user?: string;
+  role?: string;
 }
 
 /** What has changed from one revision to the next, and who did it. */

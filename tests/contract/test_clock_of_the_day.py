@@ -16,7 +16,7 @@ OF_PEOPLE = {
     "desk/console/readings_log.py",
     "desk/environment/diary.py",
     "desk/environment/outcome/services.py",
-    "files/state/audit_trail.py",
+    "files/audit_trail.py",
     "host/recording/black_box.py",
     "host/recording/run_description.py",
     "host/sessions/site_clock.py",

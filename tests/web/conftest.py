@@ -15,11 +15,11 @@ from onika.link.caller import Role
 from onika.link.certificate import server_context
 from onika.model.task import Task
 from onika.store.mesh_folder import MeshFolder
-from onika.web.access.guarded_door import TRAIL, GuardedDoor
 from onika.web.access.page_place import PagePlace
 from onika.web.access.page_users import PageUser, PageUserFile
 from onika.web.access.password_hash import PasswordHash
 from onika.web.app import application
+from onika.web.guarded_door import TRAIL, GuardedDoor
 from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.server import addresses, bound, serve

@@ -136,7 +136,7 @@ def test_after_signing_out_the_cookie_is_void_and_open_pages_close(served_to_oth
             while True:
                 page.recv(timeout=60)
     assert ask(served_to_others, "GET", "/", cookie=given)[0].status == 401
-    assert ("sign out", "own", "signed out") in served_to_others.trail()
+    assert ("SignOut", "own", "signed-out") in served_to_others.trail()
 
 
 def test_a_user_who_is_removed_is_out_within_a_moment(served_to_others, cheap_users):  # R-F10
@@ -159,7 +159,7 @@ def test_a_watcher_stops_and_does_nothing_else(served_to_others):  # R-F10
         assert answered(page, t="New")["reason"]["key"] == "desk.only_watch_and_stop"
         assert answered(page, t="Press", name="x")["t"] == "Refused"
     assert [type(order.asked) for order in served_to_others.sitting.orders] == [request.Stop]
-    assert ("New", "vie", "refused: role") in served_to_others.trail()
+    assert ("New", "vie", "refused:role") in served_to_others.trail()
 
 
 @pytest.mark.parametrize(
@@ -228,4 +228,4 @@ def test_the_wrong_password_ten_times_bars_the_right_one(served_to_others):  # l
     answer, text = post(served_to_others)
     assert (answer.status, "1 minute." in text) == (429, True)
     assert "set-cookie" not in answer.headers
-    assert ("sign in", "own", "refused: too many tries") in served_to_others.trail()
+    assert ("SignIn", "own", "refused:too-many-tries") in served_to_others.trail()

@@ -77,6 +77,10 @@ class Desk {
   isLocked = $state(false)
   /** The name of this browser. */
   you = $state('')
+  /** Who has signed in here; empty: whoever sits at the machine. */
+  user = $state('')
+  /** What that one may do; empty: everything. */
+  role = $state('')
   version = $state('')
   treeAt: TreeAt | undefined
 
@@ -107,6 +111,8 @@ export function applySnapshot(snapshot: Snapshot): void {
   desk.tree = fullTree(snapshot.tree)
   desk.rev = snapshot.rev
   desk.you = snapshot.you
+  desk.user = snapshot.user ?? ''
+  desk.role = snapshot.role ?? ''
   desk.version = snapshot.version
 }
 

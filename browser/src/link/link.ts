@@ -116,9 +116,10 @@ function openSocket(): Carrier | Promise<Carrier> {
   return new WebSocket(address) as unknown as Carrier
 }
 
-/** After a new start the environment has a new key, and this browser's is void. */
+/** After a new start the environment has a new key, and this browser's is void; or whoever is here has to sign in anew. */
 async function isLocked(): Promise<boolean> {
   const answer = await fetch(location.pathname, { cache: 'no-store' }).catch(() => undefined)
+  if (answer?.status === 401) location.reload()
   return answer?.status === 403
 }
 

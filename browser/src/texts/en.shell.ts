@@ -17,6 +17,10 @@ export const enShell = {
   'top.locked': 'this page is no longer let in: open the address that Onika prints',
   'top.lost': 'not connected to the environment, trying again',
 
+  'user.is': 'Signed in as {name}: {role}',
+  'user.out': 'Sign out',
+  'user.outHint': 'Leave this page; whoever comes next has to sign in',
+
   'file.new': 'New configuration',
   'file.open': 'Open…',
   'file.save': 'Save',

@@ -19,6 +19,10 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'top.locked': 'esta página ya no tiene entrada: abra la dirección que muestra Onika',
   'top.lost': 'sin conexión con el entorno, se intenta de nuevo',
 
+  'user.is': 'Dentro como {name}: {role}',
+  'user.out': 'Salir',
+  'user.outHint': 'Dejar esta página; quien venga después tiene que entrar con su contraseña',
+
   'file.new': 'Configuración nueva',
   'file.open': 'Abrir…',
   'file.save': 'Guardar',

@@ -11,8 +11,8 @@ from pathlib import Path
 from time import monotonic_ns
 
 from onika.booking.book import BookingBook, book_path
+from onika.files.audit_trail import OFF, AuditTrail, open_for
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
-from onika.files.state.audit_trail import OFF, AuditTrail, open_for
 from onika.files.state.state_directory import guarded, make_own, state_directory
 from onika.files.state.staying_runtime import StayingFile, StayingRuntime
 from onika.host.guards.call_watchdog import CallWatchdog

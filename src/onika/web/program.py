@@ -35,9 +35,9 @@ from onika.store.remote.lock_file import LockFile
 from onika.store.remote.object_cache import ObjectCache, cache_directory
 from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
-from onika.web.access.guarded_door import GuardedDoor
 from onika.web.access.page_place import PagePlace
 from onika.web.app import application
+from onika.web.guarded_door import GuardedDoor
 from onika.web.hub import Hub
 from onika.web.page_door import KeyDoor, PageDoor
 from onika.web.server import serve

@@ -65,7 +65,8 @@ def sign_in_routes(entrance: SignIn, end: Callable[[str], None]) -> list[Route]:
 def asked(request: Request, wrong: Reason = NOTHING, status: int = 401) -> Response:
     """The page on which he signs in, in place of what he may not see yet."""
     language = language_of(request)
-    headers = {"content-security-policy": POLICY, "content-language": language}
+    headers = {"content-security-policy": POLICY, "content-language": language, "referrer-policy": "same-origin"}
+    # with no referrer at all browsers say of a form that it comes from `null`
     return HTMLResponse(sign_in_page(language, wrong), status, headers)
 
 

@@ -27,15 +27,15 @@ def lines(do):
 def test_each_entry_and_each_that_is_refused_has_a_line():  # R-F10, R-X12
     def do(trail):
         trail.entered(ANN)
-        trail.turned_away("ann", "10.0.0.2", "wrong password")
-        trail.turned_away("", "10.0.0.2", "wrong password")
-        trail.left(ANN, "signed out")
+        trail.turned_away("ann", "10.0.0.2", "wrong-password")
+        trail.turned_away("", "10.0.0.2", "wrong-password")
+        trail.left(ANN, "signed-out")
 
     assert lines(do) == [
-        ("sign in", {"who": "ann", "role": "operator", "address": "10.0.0.1", "result": "done"}),
-        ("sign in", {"who": "ann", "address": "10.0.0.2", "result": "refused: wrong password"}),
-        ("sign in", {"who": "?", "address": "10.0.0.2", "result": "refused: wrong password"}),
-        ("sign out", {"who": "ann", "role": "operator", "address": "10.0.0.1", "result": "signed out"}),
+        ("SignIn", {"who": "ann", "role": "operator", "address": "10.0.0.1", "result": "done"}),
+        ("SignIn", {"who": "ann", "address": "10.0.0.2", "result": "refused:wrong-password"}),
+        ("SignIn", {"who": "?", "address": "10.0.0.2", "result": "refused:wrong-password"}),
+        ("SignOut", {"who": "ann", "role": "operator", "address": "10.0.0.1", "result": "signed-out"}),
     ]
 
 
@@ -47,7 +47,7 @@ def test_what_is_done_has_a_line_and_looking_has_none():  # R-X12
         trail.acted(ANN, act.Stop(), ActAnswer(no=No(Reason.of("run.not_linked"))))
 
     told = [(what, about.get("about"), about["result"]) for what, about in lines(do)]
-    assert told == [("Turn", "doc=c1 tasks=pd,robot", "done"), ("Stop", None, "refused: run.not_linked")]
+    assert told == [("Turn", "doc=c1 tasks=pd,robot", "done"), ("Stop", None, "refused:run.not_linked")]
 
 
 def test_no_secret_and_no_text_gets_there():  # R-F10
@@ -76,7 +76,7 @@ def test_what_a_role_may_not_has_a_line():  # R-F10
         trail.denied(ANN, act.Save("c1"))
         trail.denied(ANN, act.Note("select"))
 
-    assert [(what, about["result"]) for what, about in lines(do)] == [("Save", "refused: role")]
+    assert [(what, about["result"]) for what, about in lines(do)] == [("Save", "refused:role")]
 
 
 def test_that_nothing_can_be_written_is_told_once():

@@ -59,7 +59,7 @@ def test_a_name_and_its_password_give_a_session(entrance):  # R-F10
 @pytest.mark.parametrize(("name", "password"), [("ann", "wrong"), ("nobody", PASSWORD), ("", ""), ("ANN", PASSWORD)])
 def test_the_wrong_name_and_the_wrong_password_sound_the_same(entrance, name, password):  # R-F10
     assert enter(entrance, name, password) == ("", "desk.sign_in_wrong")
-    assert entrance.trail.lines == [("away", name if name == "ann" else "", "wrong password")]
+    assert entrance.trail.lines == [("away", name if name == "ann" else "", "wrong-password")]
 
 
 def test_after_ten_wrong_ones_the_right_one_has_to_wait_and_other_addresses_have_not(entrance):  # R-F10
@@ -112,7 +112,7 @@ def test_who_leaves_is_out_and_his_cookie_is_of_no_use(entrance):  # R-F10
     cookies = {entrance.cookie_name: token}
     entrance.leave(entrance.visitor(cookies))
     assert entrance.visitor(cookies) is None
-    assert entrance.trail.lines[-1] == ("out", "ann", "signed out")
+    assert entrance.trail.lines[-1] == ("out", "ann", "signed-out")
 
 
 def test_sessions_that_are_over_end_and_that_is_written_down(entrance):  # R-F10
@@ -124,7 +124,7 @@ def test_sessions_that_are_over_end_and_that_is_written_down(entrance):  # R-F10
     assert entrance.trail.lines[-1] == ("out", "bob", "over")
     entrance.users.users = {}
     assert entrance.sweep((session,)) == (session,)
-    assert entrance.trail.lines[-1] == ("out", "ann", "no user any more")
+    assert entrance.trail.lines[-1] == ("out", "ann", "no-user-any-more")
 
 
 @pytest.mark.parametrize(

@@ -42,28 +42,28 @@ class PageTrail:
 
     def entered(self, visitor: Visitor) -> None:
         """Somebody has signed in."""
-        self._note("sign in", visitor, True, result="done")
+        self._note("SignIn", visitor, True, result="done")
 
     def turned_away(self, name: str, address: str, why: str) -> None:
         """Somebody was not let in; `name` is that of a user, else empty."""
-        self._line("sign in", True, who=name or "?", address=address, result=f"refused: {why}")
+        self._line("SignIn", True, who=name or "?", address=address, result=f"refused:{why}")
 
     def left(self, visitor: Visitor, why: str) -> None:
         """A session is over."""
-        self._note("sign out", visitor, True, result=why)
+        self._note("SignOut", visitor, True, result=why)
 
     def acted(self, visitor: Visitor, command: act.AnyAct, given: ActAnswer) -> None:
         """An act has its answer."""
         if type(command) in _QUIET or (isinstance(command, act.Push) and not self._is_other(visitor, command)):
             return
-        result = "done" if given.no is None else f"refused: {given.no.reason.key}"
+        result = "done" if given.no is None else f"refused:{given.no.reason.key}"
         weighs = isinstance(command, act.Stop | act.Reset)
         self._note(type(command).__name__, visitor, weighs, about=_words(command), result=result)
 
     def denied(self, visitor: Visitor, command: act.AnyAct) -> None:
         """Somebody wanted what his role may not."""
         if not isinstance(command, act.Note | act.Push):
-            self._note(type(command).__name__, visitor, about=_words(command), result="refused: role")
+            self._note(type(command).__name__, visitor, about=_words(command), result="refused:role")
 
     def _is_other(self, visitor: Visitor, push: act.Push) -> bool:
         """Pushes come thirty times a second: a line for who takes a pad and lets go."""

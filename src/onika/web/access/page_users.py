@@ -102,13 +102,6 @@ class PageUserFile:
         return status.st_ino, status.st_mtime_ns, status.st_size
 
 
-def role_named(word: str) -> Role:
-    """A role by its word; raises ValueError."""
-    if word not in ROLES:
-        raise ValueError(Reason.of("desk.no_role", roles=tuple(ROLES), word=word))
-    return ROLES[word]
-
-
 def _user(words: list[str]) -> PageUser | None:
     if len(words) != 3 or not NAME.fullmatch(words[0]) or words[1] not in ROLES:
         return None

@@ -76,13 +76,13 @@ class SignIn:
         shown = name if user is not None else ""  # somebody may have typed his password there
         wait_ns = self._tries.wait_ns(address, self._clock())
         if wait_ns:
-            self._trail.turned_away(shown, address, "too many tries")
+            self._trail.turned_away(shown, address, "too-many-tries")
             return "", Reason.of("desk.sign_in_wait", minutes=-(-wait_ns // 60_000_000_000))
         if self._judging >= _AT_A_TIME:
             return "", Reason.of("desk.sign_in_busy")
         self._tries.note(address, self._clock())
         if not await self._is_right(NOBODY if user is None else user.password, password):
-            self._trail.turned_away(shown, address, "wrong password")
+            self._trail.turned_away(shown, address, "wrong-password")
             return "", Reason.of("desk.sign_in_wrong")
         self._tries.take_back(address)
         if user is None or self._users.users.get(name) != user:
@@ -96,7 +96,7 @@ class SignIn:
     def leave(self, visitor: Visitor) -> None:
         """End a session, as its user wishes."""
         self._sessions.close(visitor.session)
-        self._trail.left(visitor, "signed out")
+        self._trail.left(visitor, "signed-out")
 
     def sweep(self, in_use: Iterable[str]) -> tuple[str, ...]:
         """Look at the file of users, and end what is over; the sessions that have ended."""
@@ -104,7 +104,7 @@ class SignIn:
         over = self._sessions.sweep(self._users.users, in_use, self._clock())
         for visitor in over:
             is_same = self._users.users.get(visitor.user) is not None
-            self._trail.left(visitor, "over" if is_same else "no user any more")
+            self._trail.left(visitor, "over" if is_same else "no-user-any-more")
         return tuple(visitor.session for visitor in over)
 
     def close(self) -> None:

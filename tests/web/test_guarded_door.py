@@ -7,12 +7,12 @@ import pytest
 from onika.desk.environment.environment import ActAnswer
 from onika.files import trail
 from onika.link.caller import Role
-from onika.web.access import guarded_door
+from onika.web import guarded_door
 from onika.web.access.entrance import Visitor
-from onika.web.access.guarded_door import TRAIL, GuardedDoor
 from onika.web.access.page_place import PagePlace
 from onika.web.access.page_users import PageUser, PageUserFile
 from onika.web.access.password_hash import PasswordHash
+from onika.web.guarded_door import TRAIL, GuardedDoor
 from onika.web.server import bound
 from onika.wire import act
 
@@ -53,7 +53,7 @@ def door(tmp_path, monkeypatch):
 def test_it_says_where_it_is_and_writes_that_down(door):  # R-F10
     door.ready()
     assert door.told[0].startswith("https://127.0.0.1:")
-    assert [line["what"] for line in door.lines()] == ["the page is open"]
+    assert [line["what"] for line in door.lines()] == ["PageOpened"]
     assert isinstance(door.context, ssl.SSLContext)
 
 

@@ -7,7 +7,7 @@ import ssl
 from collections.abc import Callable
 
 from onika.desk.environment.environment import ActAnswer, Environment
-from onika.files.state.audit_trail import open_free
+from onika.files.audit_trail import open_free
 from onika.files.trail import usual_path
 from onika.web.access.page_place import PagePlace
 from onika.web.access.page_trail import PageTrail
@@ -53,7 +53,7 @@ class GuardedDoor:
 
     def ready(self) -> None:
         """Tell where it is."""
-        self._audit.note("the page is open", True, about=f"{self._place.host}:{self._port}")
+        self._audit.note("PageOpened", True, about=f"{self._place.host}:{self._port}")
         self._on_ready(self._place.address(self._port))
 
     async def keep(self) -> None:
