@@ -4,7 +4,7 @@ import pytest
 
 from onika.cli import main
 from onika.files import trail
-from onika.files.audit_trail import AuditTrail, open_free
+from onika.record.audit_trail import AuditTrail, open_free
 
 
 @pytest.fixture

@@ -16,11 +16,11 @@ OF_PEOPLE = {
     "desk/console/readings_log.py",
     "desk/environment/diary.py",
     "desk/environment/outcome/services.py",
-    "files/audit_trail.py",
     "host/recording/black_box.py",
     "host/recording/run_description.py",
     "host/sessions/site_clock.py",
     "labs/folders/module/only_files.py",
+    "record/audit_trail.py",
     "web/hub.py",
 }
 OF_THE_DAY = {("time", "time"), ("time", "time_ns"), ("datetime", "now"), ("datetime", "utcnow"), ("date", "today")}

@@ -12,9 +12,9 @@ import pytest
 from kit.desk.environment_fixture import EnvironmentFixture
 from onika.files import trail
 from onika.link.caller import Role
-from onika.link.certificate import server_context
 from onika.model.task import Task
 from onika.store.mesh_folder import MeshFolder
+from onika.web.access.certificate import server_context
 from onika.web.access.page_place import PagePlace
 from onika.web.access.page_users import PageUser, PageUserFile
 from onika.web.access.password_hash import PasswordHash

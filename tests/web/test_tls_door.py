@@ -7,8 +7,8 @@ import ssl
 
 import pytest
 
-from onika.link.certificate import server_context
 from onika.web import tls_door
+from onika.web.access.certificate import server_context
 from onika.web.server import bound
 from onika.web.tls_door import TlsDoor
 

@@ -10,11 +10,11 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from onika import __version__
-from onika.cli import argument_words
 from onika.cli.language import say, speaking
 from onika.files.state.access import guard
 from onika.files.state.state_directory import guarded, state_directory
 from onika.link.lost import LinkLost
+from onika.words import argument_words
 from onika.words.reason import Reason, reason_of
 from onika.words.sentence import LANGUAGES
 from onika.words.system_error import system_reason_with_place

@@ -11,7 +11,6 @@ from pathlib import Path
 from time import monotonic_ns
 
 from onika.booking.book import BookingBook, book_path
-from onika.files.audit_trail import OFF, AuditTrail, open_for
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
 from onika.files.state.state_directory import guarded, make_own, state_directory
 from onika.files.state.staying_runtime import StayingFile, StayingRuntime
@@ -45,6 +44,7 @@ from onika.host.units.world_registry import open_world
 from onika.link.address import Address
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
+from onika.record.audit_trail import OFF, AuditTrail, open_for
 from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment

@@ -11,7 +11,6 @@ from msgspec import Struct
 from onika.host.sessions.users import User, read
 from onika.link.address import PORT, Address, bracketed, is_near, split_host
 from onika.link.caller import Role
-from onika.link.certificate import server_context
 from onika.link.token import digest, own_token, token_path
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
@@ -72,6 +71,14 @@ def judge(
     return place, [], token_at
 
 
+def context(certificate: str, key: str) -> ssl.SSLContext:
+    """The server's side of TLS 1.2 or newer; raises OSError or ssl.SSLError for files that are none."""
+    made = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    made.minimum_version = ssl.TLSVersion.TLSv1_2
+    made.load_cert_chain(certificate, key)
+    return made
+
+
 def _users(wanted: ListenOptions, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
     if not wanted.users:
         missing = Fault(Place("--users"), Reason.of("host.users_missing", listen=_shown(wanted.listen)), _CLOSED)
@@ -98,7 +105,7 @@ def _secrets(wanted: ListenOptions, near: bool) -> list[Fault]:
     if faults:
         return faults
     try:
-        server_context(wanted.certificate, wanted.key)
+        context(wanted.certificate, wanted.key)
     except (OSError, ssl.SSLError) as wrong:
         return [Fault(Place(wanted.certificate), Reason.of("host.certificate_unfit", why=reason_of(wrong)), _CLOSED)]
     return []

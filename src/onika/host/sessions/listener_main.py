@@ -18,7 +18,7 @@ from msgspec import msgpack
 
 from onika.host.sessions.admission import Admission, LetIn
 from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
-from onika.host.sessions.listen_options import ListenerSettings
+from onika.host.sessions.listen_options import ListenerSettings, context
 from onika.host.sessions.listener_process import (
     AWAKE_NS,
     ConnectionArrived,
@@ -31,7 +31,6 @@ from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import Users
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
-from onika.link.certificate import server_context
 from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
@@ -61,9 +60,7 @@ class Acceptor:
         self._post = post
         is_private = bool(listening.certificate)
         self._admission = Admission(Users(listening.users), listening.names, is_private)
-        self._context: ssl.SSLContext | None = None
-        if is_private:
-            self._context = server_context(listening.certificate, listening.key)
+        self._context: ssl.SSLContext | None = context(listening.certificate, listening.key) if is_private else None
         self._tasks: dict[int, asyncio.Task[None]] = {}
         self._relays: set[asyncio.Task[None]] = set()
         self._inside = 0

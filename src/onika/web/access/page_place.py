@@ -12,7 +12,7 @@ from pathlib import Path
 
 from onika.files.state.access import ANYTHING, STRANGERS, Access, guard
 from onika.link.address import bracketed, split_host
-from onika.link.certificate import server_context
+from onika.web.access.certificate import server_context
 from onika.web.access.page_users import PageUserFile, users_path
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of

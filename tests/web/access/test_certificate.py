@@ -3,7 +3,7 @@ import subprocess
 
 import pytest
 
-from onika.link.certificate import fingerprint, server_context
+from onika.web.access.certificate import fingerprint, server_context
 
 
 @pytest.fixture

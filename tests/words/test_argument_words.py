@@ -2,8 +2,8 @@ import argparse
 
 import pytest
 
-from onika.cli import argument_words
 from onika.cli.language import speaking
+from onika.words import argument_words
 from onika.words.catalogue import sentences
 
 
