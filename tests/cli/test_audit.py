@@ -4,7 +4,7 @@ import pytest
 
 from onika.cli import main
 from onika.files import trail
-from onika.record.audit_trail import AuditTrail, open_free
+from onika.store.audit_trail import AuditTrail, open_free
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ OF_PEOPLE = {
     "host/recording/run_description.py",
     "host/sessions/site_clock.py",
     "labs/folders/module/only_files.py",
-    "record/audit_trail.py",
+    "store/audit_trail.py",
     "web/hub.py",
 }
 OF_THE_DAY = {("time", "time"), ("time", "time_ns"), ("datetime", "now"), ("datetime", "utcnow"), ("date", "today")}

@@ -44,10 +44,10 @@ from onika.host.units.world_registry import open_world
 from onika.link.address import Address
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
-from onika.record.audit_trail import OFF, AuditTrail, open_for
 from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
+from onika.store.audit_trail import OFF, AuditTrail, open_for
 from onika.wire import event
 from onika.wire.world_values import options_of, world_values
 from onika.words.own_language import own_language

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from onika.desk.environment.environment import ActAnswer, Environment
 from onika.files.trail import usual_path
-from onika.record.audit_trail import open_free
+from onika.store.audit_trail import open_free
 from onika.web.access.page_place import PagePlace
 from onika.web.access.page_trail import PageTrail
 from onika.web.access.page_users import PageUserFile

@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 import pytest
 
 from onika.files.trail import older, read
-from onika.record.audit_trail import AuditTrail, open_for, open_free
+from onika.store.audit_trail import AuditTrail, open_for, open_free
 
 
 @pytest.fixture
@@ -114,7 +114,7 @@ class FullDisk:
 @pytest.mark.parametrize("room", [0, 20])
 def test_a_full_disk_is_told_and_survived(path, monkeypatch, room):  # R-X12, network.md F11
     disk = FullDisk(None)
-    monkeypatch.setattr("onika.record.audit_trail.os.write", disk)
+    monkeypatch.setattr("onika.store.audit_trail.os.write", disk)
     audit = AuditTrail(path)
     audit.note("one")
     disk.room = room

@@ -36,7 +36,7 @@ def open_for(named: str) -> "AuditTrail":
             return AuditTrail(Path(named))
         return open_free(usual_path(os.environ))
     except BlockingIOError:
-        raise OSError(Reason.of("record.audit_taken", path=named)) from None
+        raise OSError(Reason.of("store.audit_taken", path=named)) from None
 
 
 def open_free(path: Path) -> "AuditTrail":
@@ -125,7 +125,7 @@ class AuditTrail:
         if written < len(text):  # the disk is full: what is there is a torn line, as after a crash
             self._torn = text[:written]
             self._size += os.write(self._file, b"\n")
-            raise OSError(Reason.of("record.audit_no_room"))
+            raise OSError(Reason.of("store.audit_no_room"))
         self.head, self._torn = head, b""
 
     def _next_file(self) -> None:
