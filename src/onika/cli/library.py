@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from datetime import UTC, date, datetime
 from pathlib import Path
 
-from onika.cli import library_text
 from onika.cli.language import say
+from onika.cli.lines import library_text
 from onika.cli.search_path import access_here, directory
 from onika.files.library_lock import LockedLibrary
 from onika.store.remote.contents import contents, matching

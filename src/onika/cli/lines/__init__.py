@@ -1,0 +1,1 @@
+"""What the command line says of libraries and sites, line by line."""
