@@ -11,6 +11,7 @@ import onika
 
 HOUSE = Path(onika.__file__).parent
 OF_PEOPLE = {
+    "agent/program.py",
     "cli/library.py",
     "cli/own.py",
     "desk/console/readings_log.py",

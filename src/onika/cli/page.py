@@ -14,7 +14,7 @@ from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.desk.environment.reconcile.station_names import HERE
 from onika.files.state.state_directory import state_directory
-from onika.link.ssh_address import address_of
+from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
 from onika.web.access.certificate import fingerprint
 from onika.web.access.page_place import PageOptions, PagePlace, judged

@@ -22,7 +22,7 @@ from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.desk.sweep.variation import Variation
 from onika.desk.trial.keeping import keep_in, unkeepable
-from onika.link.ssh_address import address_of
+from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
 from onika.model.redirect import Redirect
 from onika.store.site import Site

@@ -86,7 +86,7 @@ def _run(words: list[str]) -> None:
         staying.say(StayingRuntime(Address.parse(listener.address).port, os.getpid()))
     audit = _audit(given)
     loader = Loader(stays_inside=given.forecast)
-    loader_client = LoaderClient(loader)
+    loader_client = LoaderClient(loader, given.world)
     server = _server(given, listener, audit)
     booked = _booked(given, server)
     try:
@@ -143,6 +143,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--robot", default="", metavar="NAME")
     parser.add_argument("--book", default="", metavar="FILE")
     parser.add_argument("--require-booking", action="store_true")
+    parser.add_argument("--world", action="append", default=[], metavar="NAME")
     given = parser.parse_args(words)
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error(in_language(Reason.of("host.no_way_in"), own_language()))

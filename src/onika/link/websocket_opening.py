@@ -18,6 +18,7 @@ from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.heartbeat import HEADER, HeartbeatKey, HeartbeatSender
 from onika.link.lost import LinkLost, LossCause
+from onika.link.trust import trusting
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_messages import SILENT
 from onika.wire.frame import FRAME_LIMIT
@@ -107,16 +108,7 @@ class WebSocketOpening:
     def _secure(self, connected: socket.socket) -> socket.socket:
         if not self.address.is_private:
             return connected
-        context = ssl.create_default_context()
-        context.minimum_version = ssl.TLSVersion.TLSv1_2
-        if self.authority is not None:
-            try:
-                context.load_verify_locations(self.authority)
-            except (OSError, ssl.SSLError) as fault:
-                why = Reason.plain(str(fault))
-                none_there = Reason.of("link.no_certificates", path=str(self.authority), why=why)
-                raise LinkLost(LossCause.CERTIFICATE, none_there) from None
-        return context.wrap_socket(connected, server_hostname=self.address.host)
+        return trusting(self.authority).wrap_socket(connected, server_hostname=self.address.host)
 
     def _shake(self, connected: socket.socket, protocol: ClientProtocol, until: float) -> None:
         connected.sendall(b"".join(protocol.data_to_send()))

@@ -14,8 +14,8 @@ from kit.machine.ssh_server import IS_THERE, SshServer
 from onika.desk.run.remote_runtime import RemoteRuntime
 from onika.files.state.staying_runtime import staying_runtime
 from onika.link.lost import LinkLost, LossCause
-from onika.link.ssh_address import SshAddress
-from onika.link.ssh_opening import SshOpening
+from onika.link.starting.ssh_address import SshAddress
+from onika.link.starting.ssh_opening import SshOpening
 from onika.wire import live, request
 from onika.wire.runtime_standing import Standing
 

@@ -21,7 +21,7 @@ from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.run import Opens
 from onika.desk.run.runtime_conversation import PATIENCE_S, NumberedResponse
 from onika.desk.run.settings import RunSettings
-from onika.link.ssh_address import address_of
+from onika.link.starting.runtime_address import address_of
 from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
 from onika.wire.rendezvous_link import MeetingTerms

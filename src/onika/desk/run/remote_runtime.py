@@ -8,30 +8,39 @@ from time import monotonic_ns
 from types import TracebackType
 
 from onika.desk.run.runtime_conversation import RuntimeConversation
-from onika.link.address import Address
+from onika.files.state.known_sites import KnownSites, known_sites_path
+from onika.link.address import Address, is_near
 from onika.link.connection import Connection
 from onika.link.connector import ThreadConnector
 from onika.link.link_terms import REMOTE
 from onika.link.lost import LinkLost, LossCause
-from onika.link.ssh_address import SshAddress, address_of
-from onika.link.ssh_opening import START_S, SshOpening
+from onika.link.starting.runtime_address import address_of
+from onika.link.starting.site_address import SiteAddress
+from onika.link.starting.site_client import LAUNCH_S
+from onika.link.starting.site_opening import SiteOpening
+from onika.link.starting.ssh_address import SshAddress
+from onika.link.starting.ssh_opening import START_S, SshOpening
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.words.reason import Reason, reason_of
 
 _BY_SSH = replace(REMOTE, greeting_ns=round(START_S * 1e9) + REMOTE.greeting_ns)
-"""The terms where a runtime is only started when somebody comes."""
+"""The terms where ssh starts a runtime when somebody comes."""
+_BY_SITE = replace(REMOTE, greeting_ns=round(LAUNCH_S * 1e9) + REMOTE.greeting_ns)
+"""The terms where a site does."""
 
 
 class RemoteRuntime(RuntimeConversation):
     """A runtime at an address; unless it was started for this, it lives on after the `with` block."""
 
-    def __init__(self, opening: WebSocketOpening | SshOpening) -> None:
+    def __init__(self, opening: WebSocketOpening | SshOpening | SiteOpening) -> None:
         self._opening = opening
         self._terms = REMOTE
         self._way: AbstractContextManager[object] = nullcontext()
         if isinstance(opening, SshOpening):
             self._terms, self._way = _BY_SSH, closing(opening)
+        elif isinstance(opening, SiteOpening):
+            self._terms = _BY_SITE
         super().__init__(Connection(None, monotonic_ns, self._terms, connector=ThreadConnector(opening)))
 
     def __enter__(self) -> "RemoteRuntime":
@@ -62,20 +71,24 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> RemoteRuntime:
     address = address_of(url)
     if isinstance(address, SshAddress):
         return RemoteRuntime(SshOpening(address))
-    return RemoteRuntime(WebSocketOpening(address, token or _token(address), ca))
+    if isinstance(address, SiteAddress):
+        sites = KnownSites(known_sites_path())
+        return RemoteRuntime(SiteOpening(address, token or token_for(address), ca, sites))
+    return RemoteRuntime(WebSocketOpening(address, token or token_for(address), ca))
 
 
-def _token(address: Address) -> str:
+def token_for(address: Address | SiteAddress) -> str:
+    """The token for an address for which none was named; raises LinkLost where none is to be had."""
     from_environment = os.environ.get("ONIKA_TOKEN", "")
     if from_environment:
         return from_environment
     try:
-        if address.is_near:
+        if is_near(address.host):
             return read_token(token_path())
         return _missing(address)
     except (OSError, ValueError):
         return _missing(address)
 
 
-def _missing(address: Address) -> str:
+def _missing(address: Address | SiteAddress) -> str:
     raise LinkLost(LossCause.TOKEN, Reason.of("link.token_needed", address=str(address)))

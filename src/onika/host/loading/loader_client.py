@@ -5,7 +5,7 @@ request and carries it out anew when the answer is there, so that a slow module 
 """
 
 from collections import OrderedDict, deque
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from time import monotonic_ns
 from typing import Any
 
@@ -39,7 +39,7 @@ from onika.host.units.world_sources import WorldSources
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.wire.world_source import WorldSource
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import NOTHING, Reason
 
 _KEPT = 2000
@@ -51,10 +51,14 @@ class NotYet(Exception):
 
 
 class LoaderClient:
-    """Answers from memory, or NotYet. One question is under way at a time; they are asked in turn."""
+    """Answers from memory, or NotYet. One question is under way at a time; they are asked in turn.
 
-    def __init__(self, loader: Loader) -> None:
+    worlds      the only worlds that there are here; none named: all
+    """
+
+    def __init__(self, loader: Loader, worlds: Collection[str] = ()) -> None:
         self._loader = loader
+        self._worlds = tuple(worlds)
         self._answers: OrderedDict[bytes, Answer] = OrderedDict()
         self._open: deque[tuple[bytes, Question, Code]] = deque()
         self._since_ns = 0
@@ -88,6 +92,8 @@ class LoaderClient:
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
+        if (other := self._other_world(world)) is not None:
+            return other
         answer = self._ask(AskDevices(world), Code("", world, world, ""))
         if isinstance(answer, Devices):
             return answer.names
@@ -95,6 +101,8 @@ class LoaderClient:
 
     def is_simulated(self, world: str) -> bool | Fault:
         """Whether a world is simulated."""
+        if (other := self._other_world(world)) is not None:
+            return other
         answer = self._ask(AskKind(world), Code("", world, world, ""))
         if isinstance(answer, Kind):
             return answer.is_simulated
@@ -184,6 +192,12 @@ class LoaderClient:
         self._open.popleft()
         self._begin()
         return True
+
+    def _other_world(self, world: str) -> Fault | None:
+        """Why a world is none of those that there are here."""
+        if not self._worlds or world.partition("@")[0] in self._worlds:
+            return None
+        return Fault(Place(world), Reason.of("host.world_not_here", world=world, worlds=self._worlds), NOT_RUN)
 
     def _ask(self, question: Question, code: Code) -> Answer:
         key = self._request(question, code)

@@ -73,22 +73,33 @@ class Admission:
 
     def judge(self, path: str, headers: Iterable[tuple[str, str]], address: str, now_ns: int) -> LetIn | TurnedAway:
         """Whether this request is let in, and as whom."""
-        asked: dict[str, list[str]] = {}
-        for name, value in headers:
-            asked.setdefault(name.lower(), []).append(value)
-        wrong = self._wrong_name(asked) or self._wrong_origin(asked)
-        if wrong:
-            return TurnedAway(403, wrong)
+        headers_by_name = _by_name(headers)
+        turned_away = self._foreign(headers_by_name)
+        if turned_away is not None:
+            return turned_away
         if path not in _PATHS:
             return TurnedAway(404, Reason.of("host.no_such_path", paths=tuple(_PATHS)))
-        user = self._user(asked.get("authorization", []))
+        user = self._caller(headers_by_name, address, now_ns)
+        return user if isinstance(user, TurnedAway) else LetIn(user, _PATHS[path])
+
+    def user(self, headers: Iterable[tuple[str, str]], address: str, now_ns: int) -> User | TurnedAway:
+        """Who asks, whatever the path."""
+        headers_by_name = _by_name(headers)
+        return self._foreign(headers_by_name) or self._caller(headers_by_name, address, now_ns)
+
+    def _foreign(self, headers_by_name: dict[str, list[str]]) -> TurnedAway | None:
+        wrong = self._wrong_name(headers_by_name) or self._wrong_origin(headers_by_name)
+        return TurnedAway(403, wrong) if wrong else None
+
+    def _caller(self, headers_by_name: dict[str, list[str]], address: str, now_ns: int) -> User | TurnedAway:
+        user = self._user(headers_by_name.get("authorization", []))
         if user is None and self._is_barred(address, now_ns):
             return TurnedAway(429, Reason.of("host.too_many_tokens"))
         if user is None:
             self._note_wrong(address, now_ns)
             return TurnedAway(401, Reason.of("host.wrong_token"))
         self._wrong.pop(address, None)
-        return LetIn(user, _PATHS[path])
+        return user
 
     def _wrong_name(self, message: dict[str, list[str]]) -> Reason:
         """Against pages that have their own name resolved to this machine: a number cannot be resolved anew."""
@@ -127,6 +138,13 @@ class Admission:
         self._wrong[address] = (count + 1, now_ns)
         while len(self._wrong) > 1024:
             self._wrong.popitem(last=False)
+
+
+def _by_name(headers: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    headers_by_name: dict[str, list[str]] = {}
+    for name, value in headers:
+        headers_by_name.setdefault(name.lower(), []).append(value)
+    return headers_by_name
 
 
 def _is_number(host: str) -> bool:

@@ -15,7 +15,7 @@ from onika.desk.environment.reconcile.station_names import HERE, station_at, sta
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime_conversation import in_short
-from onika.link.ssh_address import address_of
+from onika.link.starting.runtime_address import address_of
 from onika.wire import act, live, view
 from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy

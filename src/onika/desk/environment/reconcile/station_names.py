@@ -1,7 +1,7 @@
 """What stations are called: by the user, else by the machine on which their runtime is (requirement F02)."""
 
 from onika.desk.environment.state.model import Model
-from onika.link.ssh_address import address_of
+from onika.link.starting.runtime_address import address_of
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 

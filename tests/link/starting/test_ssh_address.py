@@ -5,8 +5,7 @@ import shlex
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.link.address import Address
-from onika.link.ssh_address import SshAddress, address_of
+from onika.link.starting.ssh_address import SshAddress
 
 
 @pytest.mark.parametrize(
@@ -64,12 +63,3 @@ def test_whatever_is_let_through_stays_the_words_that_it_was(text):  # R-A15
         assert not {"`", "$", ";", "&", "|", "\n", ">", "<"} & set(parsed.command)
         assert parsed.place[-2] == "--"
         assert not parsed.place[-1].startswith("-")
-
-
-def test_an_address_is_of_one_kind_or_the_other():  # R-A15 R-F02
-    assert address_of("ssh://robot?stay") == SshAddress("robot", stays=True)
-    assert address_of("wss://robot") == Address.parse("wss://robot")
-    with pytest.raises(ValueError, match="expected ssh://"):
-        address_of("ssh:robot")
-    with pytest.raises(ValueError, match="expected ws://"):
-        address_of("robot")

@@ -17,7 +17,7 @@ from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause
 from onika.link.output_tail import OutputTail
-from onika.link.ssh_address import SshAddress
+from onika.link.starting.ssh_address import SshAddress
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire.hand_over import HandOver, hand_over_in

@@ -13,7 +13,6 @@ import shlex
 from dataclasses import dataclass
 from urllib.parse import SplitResult, parse_qsl, urlsplit
 
-from onika.link.address import Address
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
@@ -80,11 +79,6 @@ class SshAddress:
         words += ["--virtual"] * self.is_virtual + ["--stay"] * self.stays
         words += [word for unit in self.units for word in ("--rtpu", unit)]
         return shlex.join(words)
-
-
-def address_of(text: str) -> Address | SshAddress:
-    """An address of either kind: of a runtime that is there, or of one that ssh starts; raises ValueError."""
-    return SshAddress.parse(text) if text.startswith(f"{SCHEME}:") else Address.parse(text)
 
 
 def _fits(parts: SplitResult, program: str) -> bool:

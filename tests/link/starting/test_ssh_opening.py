@@ -2,11 +2,11 @@
 
 import pytest
 
-from onika.link import ssh_opening as room
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause
-from onika.link.ssh_address import SshAddress
-from onika.link.ssh_opening import SshOpening
+from onika.link.starting import ssh_opening as room
+from onika.link.starting.ssh_address import SshAddress
+from onika.link.starting.ssh_opening import SshOpening
 from onika.wire.hand_over import HandOver, line_of
 
 ROBOT = SshAddress("robot")

@@ -1,0 +1,189 @@
+"""`onika site`: let others launch what is listed, and look at, launch or end what is at another site (A15, F06)."""
+
+import argparse
+import os
+import socket
+import sys
+from pathlib import Path
+
+from onika.booking.book import book_path
+from onika.cli.language import say
+from onika.cli.lines import site_text
+from onika.cli.orderly_exit import in_order
+from onika.desk.run.remote_runtime import token_for
+from onika.files import text
+from onika.files.site import launch_list
+from onika.files.state.access import STRANGERS, WRITING, Access, guard
+from onika.files.state.known_sites import KnownSites, known_sites_path
+from onika.files.state.state_directory import state_directory
+from onika.link.address import split_host
+from onika.link.lost import LinkLost
+from onika.link.starting.site_address import PORT, SiteAddress
+from onika.link.starting.site_client import SiteClient
+from onika.link.token import read_token
+from onika.model.launch import Launch
+from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, reason_of
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_site")
+
+
+def describe(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    acts = parser.add_subparsers(dest="act", metavar="ACT", required=True)
+    serve = acts.add_parser("serve", help=say(Reason.of("cli.site_serve")))
+    serve.add_argument("list", type=Path, metavar="FILE", help=say(Reason.of("cli.site_list")))
+    serve.add_argument("--name", type=_name, metavar="NAME", help=say(Reason.of("cli.site_name")))
+    serve.add_argument(
+        "--listen", default=f"127.0.0.1:{PORT}", metavar="HOST:PORT", help=say(Reason.of("cli.site_listen", port=PORT))
+    )
+    serve.add_argument("--cert", default="", metavar="FILE", help=say(Reason.of("cli.runtime_cert")))
+    serve.add_argument("--key", default="", metavar="FILE", help=say(Reason.of("cli.runtime_key")))
+    serve.add_argument("--users", default="", metavar="FILE", help=say(Reason.of("cli.runtime_users")))
+    serve.add_argument(
+        "--host-name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name"))
+    )
+    serve.add_argument("--book", type=Path, metavar="FILE", help=say(Reason.of("cli.runtime_book")))
+    serve.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    serve.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
+    _elsewhere(acts.add_parser("card", help=say(Reason.of("cli.site_card"))))
+    _elsewhere(acts.add_parser("launch", help=say(Reason.of("cli.site_launch"))))
+    _elsewhere(acts.add_parser("end", help=say(Reason.of("cli.site_end"))))
+    acts.add_parser("known", help=say(Reason.of("cli.site_known")))
+    forget = acts.add_parser("forget", help=say(Reason.of("cli.site_forget")))
+    forget.add_argument("name", metavar="NAME")
+
+
+def carry_out(given: argparse.Namespace) -> int:
+    """Do it; 0 where it could be done, 1 where it was refused, 2 where something is missing."""
+    match given.act:
+        case "serve":
+            return _serve(given)
+        case "known":
+            for line in site_text.listed(KnownSites(known_sites_path()).all()):
+                print(say(line))
+            return 0
+        case "forget":
+            return _forget(given.name)
+    try:
+        return _at_another(given)
+    except LinkLost as lost:
+        return _no(lost.reason)
+
+
+def _elsewhere(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("address", type=_address, metavar="site://HOST[:PORT]/NAME")
+    parser.add_argument("--token-file", type=Path, metavar="FILE", help=say(Reason.of("cli.site_token_file")))
+    parser.add_argument("--ca", type=Path, metavar="FILE", help=say(Reason.of("cli.run_ca")))
+
+
+def _serve(given: argparse.Namespace) -> int:
+    from onika.agent.program import SiteOptions, SiteProgram
+    from onika.host.sessions.listen_options import ListenOptions, judge  # within: only who serves needs all that
+
+    launches = _listed(given.list)
+    named = ((given.users, WRITING), (given.cert, WRITING), (given.key, STRANGERS), (given.list, WRITING))
+    report = guard(Access(Path(path), denied) for path, denied in named if path)
+    for sentence in report.sentences:
+        print(say(sentence), file=sys.stderr)
+    if launches is None or report.refused:
+        return 2
+    listen = _with_port(given.listen)
+    settings, faults, token_at = judge(
+        ListenOptions(listen, given.cert, given.key, given.users, tuple(given.host_name))
+    )
+    for fault in faults:
+        print(say(fault.sentence), file=sys.stderr)
+    if settings is None:
+        return 2
+    book = given.book if given.book is not None else book_path(os.environ)
+    name = given.name or _own_name()
+    options = SiteOptions(name, launches, given.users, book, not given.no_fifo, not given.no_black_box)
+    try:
+        program = SiteProgram(options, settings, state_directory(os.environ))
+    except OSError as wrong:
+        return _no(reason_of(wrong), 2)
+    with in_order():
+        program.run(lambda place: _tell(name, place, token_at))
+    return 0
+
+
+def _tell(name: str, place: str, token_at: str) -> None:
+    """One line and one write, so that whoever waits for it reads it whole."""
+    token = Reason.of("cli.site_token_at", path=token_at) if token_at else Reason.plain("")
+    sys.stdout.write(f"{say(Reason.of('cli.site_serves', name=name, place=place, token=token))}\n")
+    sys.stdout.flush()
+
+
+def _at_another(given: argparse.Namespace) -> int:
+    address: SiteAddress = given.address
+    try:
+        token = token_for(address) if given.token_file is None else read_token(given.token_file)
+    except (OSError, ValueError) as wrong:
+        return _no(Reason.of("cli.token_expected", reason=reason_of(wrong)), 2)
+    client = SiteClient(address, token, given.ca)
+    if given.act == "card":
+        for line in site_text.card(client.card()):
+            print(say(line))
+        return 0
+    if not address.name:
+        names = tuple(launch.name for launch in client.card().launches)
+        return _no(Reason.of("cli.site_which", names=names), 2)
+    if given.act == "end":
+        client.end()
+        print(say(Reason.of("cli.site_ended", name=address.name)))
+        return 0
+    handed = client.launch()
+    print(say(site_text.launched(handed, str(address.runtime(handed.port)))))
+    return 0
+
+
+def _forget(name: str) -> int:
+    if KnownSites(known_sites_path()).forget(name):
+        return 0
+    return _no(Reason.of("cli.site_not_known", name=name))
+
+
+def _listed(path: Path) -> tuple[Launch, ...] | None:
+    content, faults = text.load(path, str(path))
+    launches = None
+    if content is not None:
+        launches, faults = launch_list.read(content, path.name, str(path))
+    for fault in faults:
+        print(say(fault.sentence), file=sys.stderr)
+    return launches
+
+
+def _with_port(place: str) -> str:
+    """With the usual port of a site, where none is named."""
+    try:
+        _, port = split_host(place)
+    except ValueError:
+        return place
+    return place if port is not None else f"{place}:{PORT}"
+
+
+def _own_name() -> str:
+    name = socket.gethostname().partition(".")[0]
+    return name if TASK_NAME.match(name) else "site"
+
+
+def _name(given: str) -> str:
+    if not TASK_NAME.match(given):
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.site_name_expected", text=given)))
+    return given
+
+
+def _address(given: str) -> SiteAddress:
+    try:
+        return SiteAddress.parse(given)
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+
+
+def _no(reason: Reason, code: int = 1) -> int:
+    print(say(reason), file=sys.stderr)
+    return code

@@ -1,0 +1,1 @@
+"""Texts of a site: what may be launched there."""

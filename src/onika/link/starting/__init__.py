@@ -1,0 +1,1 @@
+"""Ways to a runtime that is only started when somebody comes."""

@@ -1,0 +1,66 @@
+import pytest
+
+from onika.cli import main
+from onika.files.state.known_sites import KnownSites, known_sites_path
+from onika.link.token import digest
+
+LIST = "VERSION 2.0\nLAUNCH arm\nWORLD boxes\nEOF\n"
+
+
+@pytest.fixture
+def listed(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    path = tmp_path / "list"
+    path.write_text(LIST)
+    return path
+
+
+def test_a_list_that_is_at_fault_serves_nothing(listed, capsys):  # R-A15
+    listed.write_text(LIST.replace("WORLD boxes", "COMMAND reboot"))
+    assert main(["site", "serve", str(listed)]) == 2
+    assert "list:3" in capsys.readouterr().err
+
+
+def test_other_machines_are_let_in_with_certificate_and_users_only(listed, capsys):  # R-X12
+    assert main(["site", "serve", str(listed), "--listen", "0.0.0.0"]) == 2
+    assert [line.partition(":")[0] for line in capsys.readouterr().err.splitlines()] == ["--users", "--cert", "--key"]
+
+
+def test_where_nobody_serves_that_is_told(listed, capsys, monkeypatch):  # R-A15
+    monkeypatch.setenv("ONIKA_TOKEN", "x")
+    assert main(["site", "card", "site://127.0.0.1:1"]) == 1
+    assert "no site answers at site://127.0.0.1:1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("address", ["http://robot", "site://robot/a/b"])
+def test_what_is_no_address_is_no_site(listed, capsys, address):  # R-A15
+    with pytest.raises(SystemExit):
+        main(["site", "launch", address])
+    assert "expected site://" in capsys.readouterr().err
+
+
+def test_sites_that_are_known_are_shown_and_forgotten(listed, capsys):  # R-F06
+    KnownSites(known_sites_path()).meet("cmu", "abcdefghij", "cmu.example:7995")
+    assert main(["site", "known"]) == 0
+    assert "cmu  at cmu.example:7995  (abcdefgh)" in capsys.readouterr().out
+    assert main(["site", "forget", "cmu"]) == 0
+    assert main(["site", "forget", "cmu"]) == 1
+    assert "no site is known as cmu" in capsys.readouterr().err
+
+
+def test_where_a_site_listens_is_said_in_one_line(listed, capsys, monkeypatch):  # R-A15
+    from onika.agent.program import SiteProgram
+
+    users = listed.with_name("users")
+    users.write_text(f"ann operator {digest('ann')}\n")
+    monkeypatch.setenv("ONIKA_TOKEN", "ann")
+
+    def run(program, on_ready):
+        on_ready(program.place)
+        program._listening.close()
+        program._state.close()
+
+    monkeypatch.setattr(SiteProgram, "run", run)
+    words = ["site", "serve", str(listed), "--name", "cmu", "--listen", "127.0.0.1:0", "--users", str(users)]
+    assert main(words) == 0
+    assert "cmu listens on 127.0.0.1:" in capsys.readouterr().out
