@@ -37,6 +37,7 @@ SOURCES = (
     "svelte.config.js",
     "tsconfig.json",
     "vite.config.ts",
+    "vite.player.config.ts",
 )
 """What the page is built from, below browser/."""
 

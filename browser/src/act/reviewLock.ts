@@ -3,6 +3,7 @@
 import type { AnyAct } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { Refusal } from '../link/refusal'
+import { look } from '../state/look.svelte'
 import { t } from '../texts/index.svelte'
 import { plain } from '../texts/say'
 
@@ -40,6 +41,7 @@ const CHANGES: ReadonlySet<AnyAct['t']> = new Set([
 
 /** Why an act has to wait until the recording is put away; undefined: it does not. */
 export function reviewLock(act: AnyAct): Refusal | undefined {
+  if (look.isFixed) return new Refusal(plain(t('player.onlyLooks')))
   if (!desk.live.review) return undefined
   const lives = 'doc' in act && (desk.live.documents[act.doc ?? '']?.connection ?? 'none') !== 'none'
   if (!MOVES.has(act.t) && !(lives && CHANGES.has(act.t))) return undefined

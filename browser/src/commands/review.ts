@@ -2,6 +2,7 @@
 import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
 import { isPages } from '../state/keyboard'
+import { look } from '../state/look.svelte'
 import { closeRecording, compareWith, continueHere, toMark } from '../recording/acts'
 import { PACES, review } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
@@ -16,6 +17,7 @@ command({
   group: 'file',
   title: () => t('recordings.file'),
   keys: ['Alt+O'],
+  when: () => !look.isFixed,
   run: () => openDialog('recordings'),
 })
 command({
@@ -110,7 +112,7 @@ command({
   id: 'review.compare',
   group: 'review',
   title: () => t('review.compare'),
-  when: isOpen,
+  when: () => review.isOpen && !look.isFixed,
   run: () => openDialog('recordings', { what: 'compare' }),
 })
 command({
@@ -124,7 +126,13 @@ command({
   id: 'review.continue',
   group: 'review',
   title: () => t('review.continue'),
-  when: () => review.isOpen && !review.recording?.cannot_continue,
+  when: () => review.isOpen && !look.isFixed && !review.recording?.cannot_continue,
   run: continueHere,
 })
-command({ id: 'review.close', group: 'review', title: () => t('review.close'), when: isOpen, run: closeRecording })
+command({
+  id: 'review.close',
+  group: 'review',
+  title: () => t('review.close'),
+  when: () => review.isOpen && !look.isFixed,
+  run: closeRecording,
+})

@@ -34,9 +34,15 @@ export class Link {
 
   /** `isLocked` asks whether the environment is there and will not have this browser. */
   constructor(
-    private readonly open: () => Carrier | Promise<Carrier>,
+    private open: () => Carrier | Promise<Carrier>,
     private readonly isLocked: () => Promise<boolean> = () => Promise.resolve(false),
   ) {}
+
+  /** Start, over another way than usual. */
+  startFrom(open: () => Carrier | Promise<Carrier>): Promise<void> {
+    this.open = open
+    return this.start()
+  }
 
   async start(): Promise<void> {
     clearTimeout(this.timer)
@@ -127,4 +133,6 @@ const link = new Link(openSocket, isLocked)
 
 export const send = (act: AnyAct): Promise<unknown> => link.send(act)
 export const start = (): Promise<void> => link.start()
+/** Start with what stands for an environment. */
+export const startFrom: Link['startFrom'] = (open) => link.startFrom(open)
 export const hear: Link['hear'] = (kind, ear) => link.hear(kind, ear)

@@ -26,6 +26,8 @@ interface Look {
   column: Column
   /** Whether the lower level is hidden. */
   isUpperOnly: boolean
+  /** Whether nothing can be changed: a recorded run is shown that stands in a file, without an environment. */
+  isFixed: boolean
   /** Whether the tables of what runs stand beneath the upper level too. */
   isInside: boolean
   /** How the dictionary shows its icons. */
@@ -47,6 +49,7 @@ export const look: Look = $state({
   level: kept<Level>('level', 'tasks'),
   column: 'desk',
   isUpperOnly: kept('isUpperOnly', false),
+  isFixed: false,
   isInside: false,
   presentation: kept<Presentation>('presentation', 'both'),
   theme: kept<Theme>('theme', 'auto'),

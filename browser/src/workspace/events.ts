@@ -1,4 +1,5 @@
 // All that is heard in the workspace comes in here; there are no listeners on single icons.
+import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { workspaceState } from './workspaceState.svelte'
 import { paste } from './acts'
@@ -31,16 +32,6 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
     if (step && !workspaceState.isQuiet) rest = setTimeout(() => (workspaceState.hovered = step), REST_MS)
   }
 
-  on(ground, 'pointerdown', (event) => {
-    if (!isPaper(event)) return
-    workspaceState.hovered = 0
-    clearTimeout(rest)
-    paper.focus({ preventScroll: true })
-    hand.down(event)
-  })
-  on(ground, 'mousedown', (event) => isPaper(event) && event.preventDefault()) // the middle button scrolls, the left one marks text
-  on(ground, 'dblclick', (event) => isPaper(event) && hand.double(event))
-  on(ground, 'contextmenu', (event) => isPaper(event) && hand.context(event))
   on(ground, 'pointerover', hover)
   on(ground, 'pointermove', (event) => {
     if (!workspaceState.isQuiet) return
@@ -55,6 +46,22 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
   })
   on(ground, 'scroll', () => (workspaceState.top = ground.scrollTop), { passive: true })
   on(ground, 'wheel', wheel, { passive: false })
+  const end = (): void => {
+    clearTimeout(rest)
+    ending.abort()
+  }
+  if (look.isFixed) return end // it is looked at, and that is all
+
+  on(ground, 'pointerdown', (event) => {
+    if (!isPaper(event)) return
+    workspaceState.hovered = 0
+    clearTimeout(rest)
+    paper.focus({ preventScroll: true })
+    hand.down(event)
+  })
+  on(ground, 'mousedown', (event) => isPaper(event) && event.preventDefault()) // the middle button scrolls, the left one marks text
+  on(ground, 'dblclick', (event) => isPaper(event) && hand.double(event))
+  on(ground, 'contextmenu', (event) => isPaper(event) && hand.context(event))
   on(paper, 'focus', () => (workspaceState.hasKeys = true))
   on(paper, 'blur', () => (workspaceState.hasKeys = false))
   on(window as EventTarget, 'pointermove', (event) => hand.move(event))
@@ -75,10 +82,7 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
     { capture: true },
   )
   on(document as EventTarget, 'paste', (event) => pasteText(event as ClipboardEvent))
-  return () => {
-    clearTimeout(rest)
-    ending.abort()
-  }
+  return end
 }
 
 /** Buttons that lie on the paper are no paper. */

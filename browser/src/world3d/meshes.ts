@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry } from 'three'
 import { surfaceOf } from '../geom/mesh'
 import { send } from '../link/link'
+import { meshBytes } from '../values/meshBytes'
 import type { Shape, World } from '../values/world'
 
 type Put = (mesh: string, geometry: BufferGeometry) => void
@@ -16,14 +17,9 @@ export async function dress(world: World, name: string, put: Put): Promise<void>
 }
 
 async function fetched(mesh: string, shape: Shape | undefined, put: Put): Promise<void> {
-  const bytes = await bytesOf(mesh)
+  const bytes = await meshBytes.of(mesh)
   const geometry = bytes && shape && geometryOf(bytes, shape.size)
   if (geometry) put(mesh, geometry)
-}
-
-async function bytesOf(mesh: string): Promise<ArrayBuffer | undefined> {
-  const answer = await fetch(`/mesh/${mesh}`).catch(() => undefined)
-  return answer?.ok ? answer.arrayBuffer().catch(() => undefined) : undefined
 }
 
 function geometryOf(bytes: ArrayBuffer, size: readonly number[]): BufferGeometry | undefined {

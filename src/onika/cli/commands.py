@@ -22,7 +22,7 @@ from onika.words.system_error import system_reason_with_place
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
-KEEPING = frozenset(("page", "run", "test", "sweep", "runtime", "site", "console", "user"))
+KEEPING = frozenset(("page", "run", "share", "test", "sweep", "runtime", "site", "console", "user"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
 COMMANDS = (
@@ -33,6 +33,7 @@ COMMANDS = (
     "runtime",
     "site",
     "recording",
+    "share",
     "console",
     "check",
     "new",

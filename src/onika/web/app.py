@@ -26,6 +26,8 @@ from onika.words.reason import Reason
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
+PLAYER = STATIC / "player"
+"""The player of shared files, beside it."""
 
 _NOT_ALLOWED = 1008
 
