@@ -3,7 +3,7 @@ import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
 import { isPages } from '../state/keyboard'
 import { look } from '../state/look.svelte'
-import { closeRecording, compareWith, continueHere, toMark } from '../recording/acts'
+import { closeRecording, compareWith, continueHere, share, toMark } from '../recording/acts'
 import { PACES, review } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -128,6 +128,13 @@ command({
   title: () => t('review.continue'),
   when: () => review.isOpen && !look.isFixed && !review.recording?.cannot_continue,
   run: continueHere,
+})
+command({
+  id: 'review.share',
+  group: 'review',
+  title: () => t('share.share'),
+  when: () => review.isOpen && !look.isFixed && !review.isSharing,
+  run: share,
 })
 command({
   id: 'review.close',

@@ -5,7 +5,7 @@ import { desk } from '../link/desk.svelte'
 import type { Reason } from '../texts/say'
 import { plain } from '../texts/say'
 import { t } from '../texts/index.svelte'
-import { save } from './save'
+import { save } from '../act/save'
 
 /** What is unsound stands in the log, each finding as a line; that all is sound is said too. */
 export async function checkMemory(doc: string): Promise<void> {

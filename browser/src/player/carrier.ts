@@ -41,7 +41,7 @@ function valueOf(film: Film, act: AnyAct): unknown {
     case 'RecordedScene':
       return film.scene(act.world)
     case 'Meshes':
-      return act.meshes.filter((name) => film.mesh(name) !== undefined)
+      return (act.meshes ?? []).filter((name) => film.mesh(name) !== undefined)
     default:
       return QUIET.has(act.t) ? null : undefined
   }

@@ -12,6 +12,7 @@ import Player from './Player.svelte'
 
 async function begin(target: HTMLElement): Promise<void> {
   const film = new Film(await unpack(document.getElementById('run')?.textContent ?? ''))
+  Object.assign(globalThis, { onikaRun: film }) // for whoever wants its numbers: onikaRun.instant(12.5)
   look.isFixed = true
   look.level = 'applications'
   meshBytes.of = (name) => Promise.resolve(film.mesh(name))

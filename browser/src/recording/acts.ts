@@ -1,12 +1,14 @@
 // What a user does with the recording that is looked at.
 import { act } from '../act/act'
+import { save } from '../act/save'
+import { notify } from '../act/toasts.svelte'
 import { announce } from '../state/announce'
-import type { RecordingFile, RecordingsView, RecordingView } from '../api.gen'
+import type { RecordingFile, RecordingsView, RecordingView, SharedFileView } from '../api.gen'
 import { look } from '../state/look.svelte'
 import { kept } from '../state/kept'
 import { clockText, seconds } from '../sentences/words'
 import { choicesText } from '../application/redirectChoices'
-import { say } from '../texts/say'
+import { plain, say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import { review } from './review.svelte'
 import { KEPT, NONE, valuesOf } from './tolerance'
@@ -26,6 +28,21 @@ export async function compareWith(path: string): Promise<boolean> {
 
 export async function openRecording(path: string): Promise<boolean> {
   return (await act({ t: 'OpenRecording', path })) !== undefined
+}
+
+/** Have a file made of the recording that plays by itself, and hand it to the browser to save. */
+export async function share(): Promise<void> {
+  const recording = review.recording
+  if (!recording || review.isSharing) return
+  review.isSharing = true
+  announce(t('share.making'))
+  const file = (await act({ t: 'Share' }).finally(() => (review.isSharing = false))) as SharedFileView | undefined
+  if (!file) return
+  const content = new Blob([file.text], { type: 'text/html' })
+  save(file.name, content)
+  const said = t('share.made', { file: file.name, size: sizeOf(content.size) })
+  const text = file.every_s ? `${said} ${t('share.coarse', { seconds: seconds(file.every_s, 2) })}` : said
+  notify({ t: 'Say', level: 'success', text: plain(text), doc: '', at_s: Date.now() / 1000 })
 }
 
 /** Where recordings lie, and which there are; undefined where that was refused. */

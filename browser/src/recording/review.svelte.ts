@@ -27,6 +27,8 @@ class Review implements Source {
   instant: InstantView | undefined = $state.raw()
   beside: InstantView | undefined = $state.raw()
   isPlaying = $state(false)
+  /** Whether a file is being made of it. */
+  isSharing = $state(false)
   pace = $state(kept('reviewPace', 1))
   /** Why an instant could not be shown. */
   trouble = $state('')

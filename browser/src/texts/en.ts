@@ -6,7 +6,6 @@ import { enHelp } from './en.help'
 import { enHolding } from './en.holding'
 import { enLevels } from './en.levels'
 import { enPerform } from './en.perform'
-import { enPlayer } from './en.player'
 import { enRecording } from './en.recording'
 import { enRedirect } from './en.redirect'
 import { enShell } from './en.shell'
@@ -28,7 +27,6 @@ export const en = {
   ...enRedirect,
   ...enHolding,
   ...enRecording,
-  ...enPlayer,
   ...enTask,
   ...enTune,
 }

@@ -155,4 +155,16 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'recordings.path': 'Ruta de una grabación',
   'recordings.pathHint': 'o la ruta de un archivo .mcap',
   'recordings.shown': 'está abierta',
+
+  'player.title': 'Ejecución de {name}',
+  'player.about': 'Una ejecución grabada. Nada de aquí llega a un robot ni a una red.',
+  'player.onlyLooks': 'Este archivo contiene una ejecución grabada: se puede mirar, y nada en él se puede cambiar.',
+  'player.spoilt': 'Este archivo no se puede reproducir: {why}',
+  'player.language': 'Idioma',
+  'player.theme': 'Aspecto',
+  'share.share': 'Compartir…',
+  'share.hint': 'Hacer de esta grabación un archivo que se reproduce en cualquier navegador, sin red y sin Onika',
+  'share.making': 'Haciendo el archivo…',
+  'share.made': '{file} está hecho ({size}). Se reproduce en cualquier navegador.',
+  'share.coarse': 'Para que el archivo sea pequeño, muestra un instante cada {seconds} s.',
 }

@@ -7,7 +7,6 @@ import { esHelp } from './es.help'
 import { esHolding } from './es.holding'
 import { esLevels } from './es.levels'
 import { esPerform } from './es.perform'
-import { esPlayer } from './es.player'
 import { esRecording } from './es.recording'
 import { esRedirect } from './es.redirect'
 import { esShell } from './es.shell'
@@ -29,7 +28,6 @@ export const es: Record<TextKey, string> = {
   ...esRedirect,
   ...esHolding,
   ...esRecording,
-  ...esPlayer,
   ...esTask,
   ...esTune,
 }

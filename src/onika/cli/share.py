@@ -8,14 +8,14 @@ from pathlib import Path
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.desk.environment.lone_review import read_alone
-from onika.desk.environment.shared.sharing import SharedFile, shared_file
+from onika.desk.environment.shared.sharing import MOST_BYTES, SharedFile, shared_file
 from onika.files.state.state_directory import state_directory
 from onika.store.mesh_folder import MeshFolder
 from onika.web.app import PLAYER
 from onika.words.reason import Reason
 
-_LIMIT_MB = 5.0
 _MB = 1_000_000
+_LIMIT_MB = MOST_BYTES / _MB
 
 
 def purpose() -> Reason:

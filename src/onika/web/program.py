@@ -36,7 +36,7 @@ from onika.store.remote.object_cache import ObjectCache, cache_directory
 from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
 from onika.web.access.page_place import PagePlace
-from onika.web.app import application
+from onika.web.app import PLAYER, application
 from onika.web.guarded_door import GuardedDoor
 from onika.web.hub import Hub
 from onika.web.page_door import KeyDoor, PageDoor
@@ -118,6 +118,7 @@ class EnvironmentProgram:
             keeping=keeping,
             meshing=meshing,
             remote=remote,
+            player=PLAYER,
         )
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box

@@ -69,6 +69,7 @@ from onika.desk.environment.runs import (
     restart,
     steering as steering_run,
 )
+from onika.desk.environment.shared import reviewed_file
 from onika.desk.environment.show import meshes, preview, scene
 from onika.wire import act
 
@@ -215,6 +216,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.CloseRecording: reviewing.close_recording,
     act.Recordings: recordings.recordings,
     act.CompareWith: comparison.compare_with,
+    act.Share: reviewed_file.share,
     act.Glance: snapshot.glance,
     act.RecordedScene: snapshot.recorded_scene,
     act.Course: downsampled.course,

@@ -132,6 +132,7 @@ from onika.wire.act.review import (
     OpenRecording as OpenRecording,
     RecordedScene as RecordedScene,
     Recordings as Recordings,
+    Share as Share,
 )
 from onika.wire.act.run import (
     Dismiss as Dismiss,
@@ -327,5 +328,6 @@ AnyAct = (
     | Course
     | CompareWith
     | Continue
+    | Share
     | KeepTest
 )

@@ -55,6 +55,10 @@ class CompareWith(Act, frozen=True):
     """How far times may lie apart."""
 
 
+class Share(Act, frozen=True):
+    """Make a file of the recorded run that is looked at, which plays by itself (X21); gives a `view.SharedFileView`."""
+
+
 class Continue(Act, frozen=True):
     """Go on from an instant of the recorded run in the simulator: the same run up to there, then as it is steered."""
 

@@ -77,6 +77,7 @@ from onika.wire.view.review import (
     RecordingsView as RecordingsView,
     RecordingView as RecordingView,
     ReviewView as ReviewView,
+    SharedFileView as SharedFileView,
     StretchView as StretchView,
 )
 from onika.wire.view.run import (

@@ -154,6 +154,16 @@ class RecordingsView(View, frozen=True):
     files: tuple[RecordingFile, ...] = ()
 
 
+class SharedFileView(View, frozen=True):
+    """A recorded run as one HTML file (X21)."""
+
+    name: str
+    """Of the file."""
+    text: str
+    every_s: float = 0.0
+    """How far its instants lie apart, where that is further than usual; 0: it is not."""
+
+
 class KeepingView(View, frozen=True):
     """A test that is being kept, or was last."""
 

@@ -25,6 +25,7 @@ class Services:
     keeping   keeps runs as tests; None: none is kept
     meshing   makes the meshes that a page draws; None: none are made
     remote    what acts on libraries of others need; None: there are none
+    player    the folder of the player of shared files; None: recordings are not shared
     """
 
     site: Site
@@ -37,3 +38,4 @@ class Services:
     keeping: BackgroundWorker | None = None
     meshing: BackgroundWorker | None = None
     remote: LibraryServices | None = None
+    player: Path | None = None

@@ -52,7 +52,7 @@ def recorded_document(
         size = len(document.content)
         if size <= most_bytes or document.period_s > lasts_s:
             break
-        if period_s < document.period_s * min(size / most_bytes, 2.0):
+        if period_s < document.period_s * min(size / max(most_bytes, 1), 2.0):
             continue
         document = _made(subject, shown, samples, meshes or {}, period_s)
     return RecordedDocument(
@@ -69,7 +69,7 @@ def _made(
         "version": __version__,
         "period_s": period_s,
         "tree": shown,
-        "instants": blocks.add(instants * 1e-9, "f8"),
+        "instants": blocks.add(instants / 1e9, "f8"),
         "run": history(subject, instants),
         "states": states(subject, instants),
         "variables": variables(subject, samples, instants, blocks),

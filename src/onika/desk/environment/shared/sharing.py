@@ -13,6 +13,9 @@ from onika.store.site import Site
 from onika.wire.view import Tree
 from onika.words.reason import Reason
 
+MOST_BYTES = 5_000_000
+"""What a file may take where nobody says: what can be sent with a message."""
+
 
 @dataclass(frozen=True, slots=True)
 class SharedFile:
