@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-from onika.cli.safe_text import safe
+from onika.cli.lines.safe_text import safe
 from onika.store.base_directory import BaseDirectory
 from onika.store.module_catalogue import translations_of
 from onika.words.own_language import VARIABLE, own_language

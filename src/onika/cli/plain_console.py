@@ -6,7 +6,7 @@ import sys
 from types import TracebackType
 
 from onika.cli.language import say
-from onika.cli.safe_text import safe
+from onika.cli.lines.safe_text import safe
 from onika.desk.console.display import Tone
 from onika.words.reason import Reason
 

@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from onika.cli.json_lines import JsonLines
 from onika.cli.language import say
+from onika.cli.lines.json_lines import JsonLines
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_display import PlainDisplay
 from onika.cli.runtime import script_file

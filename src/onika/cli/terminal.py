@@ -20,7 +20,7 @@ from prompt_toolkit.output.vt100 import Vt100_Output
 from rich.cells import cell_len
 
 from onika.cli.language import say
-from onika.cli.safe_text import safe
+from onika.cli.lines.safe_text import safe
 from onika.cli.typed_input.line_history import LineHistory
 from onika.cli.typed_input.terminal_input import TerminalInput
 from onika.desk.console.display import Tone

@@ -1,1 +1,1 @@
-"""What the command line says of libraries and sites, line by line."""
+"""What the command line writes, line by line: of libraries and sites, to programs, and safe for a terminal."""

@@ -1,6 +1,6 @@
 import json
 
-from onika.cli.json_lines import JsonLines
+from onika.cli.lines.json_lines import JsonLines
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.outcome import Outcome
 from onika.store.site import open_site

@@ -1,4 +1,4 @@
-from onika.cli.safe_text import safe
+from onika.cli.lines.safe_text import safe
 
 
 def test_what_a_module_says_commands_no_terminal():
