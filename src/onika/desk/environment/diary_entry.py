@@ -147,7 +147,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.CloseRecording: ("close_recording", "main"),
     act.CompareWith: ("compare_recording", "main"),
     act.Continue: ("continue_run", "main"),
-    act.Share: ("share_recording", "main"),
+    act.ShareRecording: ("share_recording", "main"),
     act.KeepTest: ("keep_test", "appl"),
     act.WhatIf: ("ask_what_if", "main"),
 }

@@ -216,7 +216,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.CloseRecording: reviewing.close_recording,
     act.Recordings: recordings.recordings,
     act.CompareWith: comparison.compare_with,
-    act.Share: reviewed_file.share,
+    act.ShareRecording: reviewed_file.share,
     act.Glance: snapshot.glance,
     act.RecordedScene: snapshot.recorded_scene,
     act.Course: downsampled.course,

@@ -39,7 +39,7 @@ _OPERATING: frozenset[type] = frozenset(
         *(act.Take, act.Release, act.Hand, act.Decline, act.OnlyWatch, act.WatchNoMore, act.SteerTaken),
         *(act.Run, act.Redirect, act.Seats, act.FindWorlds, act.Steer, act.SkipTo, act.Dismiss, act.PutBack),
         *(act.Preflight, act.ForeseenInstant, act.WhatIf, act.Teach, act.PointAt, act.FitTargets),
-        *(act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith),
+        *(act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith, act.ShareRecording),
     )
 )
 

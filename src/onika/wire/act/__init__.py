@@ -132,7 +132,7 @@ from onika.wire.act.review import (
     OpenRecording as OpenRecording,
     RecordedScene as RecordedScene,
     Recordings as Recordings,
-    Share as Share,
+    ShareRecording as ShareRecording,
 )
 from onika.wire.act.run import (
     Dismiss as Dismiss,
@@ -328,6 +328,6 @@ AnyAct = (
     | Course
     | CompareWith
     | Continue
-    | Share
+    | ShareRecording
     | KeepTest
 )

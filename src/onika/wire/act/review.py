@@ -55,7 +55,7 @@ class CompareWith(Act, frozen=True):
     """How far times may lie apart."""
 
 
-class Share(Act, frozen=True):
+class ShareRecording(Act, frozen=True):
     """Make a file of the recorded run that is looked at, which plays by itself (X21); gives a `view.SharedFileView`."""
 
 

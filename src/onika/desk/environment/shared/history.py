@@ -17,13 +17,13 @@ from onika.wire.view import RunView
 def history(subject: ReviewedRun, instants: Nanoseconds) -> dict[str, Any]:
     """`first`, and `changes`: at which instant, at which places, what stands there from then on (null: nothing)."""
     times = list(accumulate((at for at, _, _ in subject.review.events), max))
-    told, shown = -1, _bare(subject.replay.at(-1e9))
+    last_count, shown = -1, _bare(subject.replay.at(-1e9))
     first, changes = shown, []
     for place, at in enumerate(instants.tolist()):
         count = bisect_right(times, at)
-        if count == told:
+        if count == last_count:
             continue
-        told, now = count, _bare(subject.replay.at(at * 1e-9))
+        last_count, now = count, _bare(subject.replay.at(at * 1e-9))
         if parts := difference(shown, now):
             changes.append((place, parts))
         shown = now

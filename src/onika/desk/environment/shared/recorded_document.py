@@ -19,9 +19,9 @@ from onika.desk.environment.shared.history import history, states
 from onika.desk.environment.shared.sight import sight
 from onika.desk.environment.shared.variables import samples_of, variables
 from onika.desk.environment.shared.worlds import worlds
-from onika.desk.run.homeless import homeless
 from onika.record.downsampled import Samples
 from onika.wire.view import Tree
+from onika.words.homeless import homeless
 
 PERIODS_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0)
 """Between two instants; the first with which the document is small enough."""

@@ -15,7 +15,7 @@ from onika.wire.view import SharedFileView
 from onika.words.reason import Reason
 
 
-def share(model: Model, _asked: act.Share, outside: Services) -> Procedure:
+def share(model: Model, _asked: act.ShareRecording, outside: Services) -> Procedure:
     """Make the file; the value is a `view.SharedFileView`."""
     if outside.reading is None or outside.player is None:
         return NOT_HERE

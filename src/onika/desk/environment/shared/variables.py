@@ -41,12 +41,12 @@ def variables(
 
 def _numbers(series: Series, samples: Samples, instants: Nanoseconds, blocks: Blocks) -> dict[str, Any]:
     first = int(np.searchsorted(instants, samples.at_ns[0])) if len(samples.at_ns) else len(instants)
-    known = instants[first:]
-    if not len(known):
+    later = instants[first:]
+    if not len(later):
         return {"first": first}
-    places = np.searchsorted(samples.at_ns, known, side="right") - 1
+    places = np.searchsorted(samples.at_ns, later, side="right") - 1
     values = samples.values[places]
-    least, most = extremes(samples, known)
+    least, most = extremes(samples, later)
     return {
         "first": first,
         "dims": [int(size) for size in series.shape.dims],
@@ -85,9 +85,9 @@ def _bits(values: NDArray[np.float64]) -> NDArray[np.uint32]:
 def _changes(series: Series, instants: Nanoseconds) -> list[tuple[int, Any]]:
     """At which instants it became what."""
     changes: list[tuple[int, Any]] = []
-    told = list(series.values())
-    bounds = [*(int(np.searchsorted(instants, at)) for at, _ in told), len(instants)]
-    for (_, value), (place, following) in zip(told, pairwise(bounds), strict=True):
+    published = list(series.values())
+    bounds = [*(int(np.searchsorted(instants, at)) for at, _ in published), len(instants)]
+    for (_, value), (place, following) in zip(published, pairwise(bounds), strict=True):
         if place < following and (not changes or changes[-1][1] != value):
             changes.append((place, value))
     return changes

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.run.homeless import homeless
+from onika.words.homeless import homeless
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,1 @@
+"""Recorded runs at a page of their own."""
