@@ -36,7 +36,8 @@ export async function share(): Promise<void> {
   if (!recording || review.isSharing) return
   review.isSharing = true
   announce(t('share.making'))
-  const file = (await act({ t: 'ShareRecording' }).finally(() => (review.isSharing = false))) as SharedFileView | undefined
+  const file = (await act({ t: 'ShareRecording' }).finally(() => (review.isSharing = false))) as
+    SharedFileView | undefined
   if (!file) return
   const content = new Blob([file.text], { type: 'text/html' })
   save(file.name, content)
