@@ -159,6 +159,37 @@ export interface SetSynchTag {
   tag?: string;
 }
 
+/** Book the robot for oneself. begin_s 0: from now on length_s rounded up to the next step at which a booking may end late what becomes of a run that is late: `stop`, or `finish` its actions and pause */
+export interface BookRobot {
+  t: 'BookRobot';
+  length_s: number;
+  begin_s?: number;
+  late?: string;
+  note?: string;
+  station?: string;
+}
+
+/** Ask anew what is booked there; it is shown with the runtime. */
+export interface LookAtBookings {
+  t: 'LookAtBookings';
+  station?: string;
+}
+
+/** Let a booking of one's own end at another time. */
+export interface ProlongBooking {
+  t: 'ProlongBooking';
+  number: number;
+  end_s: number;
+  station?: string;
+}
+
+/** Give a time back; the owner may take back everybody's. */
+export interface TakeBackBooking {
+  t: 'TakeBackBooking';
+  number: number;
+  station?: string;
+}
+
 /** Bring tasks onto one line, or to equal distances. */
 export interface Align {
   t: 'Align';
@@ -623,6 +654,30 @@ export interface WriteText {
   text: string;
   stamp: string;
   overwrites?: boolean;
+}
+
+/** Look for cards there too: `https://…`, a folder, `tcp/HOST:PORT` of a router, or `lan`. */
+export interface AddPlace {
+  t: 'AddPlace';
+  place: string;
+}
+
+/** Look there no more. */
+export interface DropPlace {
+  t: 'DropPlace';
+  place: string;
+}
+
+/** Look at all places; the value is a `view.NetworkView`. Nothing that is found is connected with, or kept. */
+export interface LookAtNetwork {
+  t: 'LookAtNetwork';
+}
+
+/** Take a key for that of the site of a name from now on, whatever was before. */
+export interface TrustSite {
+  t: 'TrustSite';
+  name: string;
+  signer: string;
 }
 
 /** End the command of a user's button. */
@@ -1248,6 +1303,33 @@ export interface ErrorView {
   remedies?: (Remedy)[];
 }
 
+/** A robot belongs to a user from a begin up to, not including, an end. */
+export interface BookingView {
+  number: number;
+  user: string;
+  begin_s: number;
+  end_s: number;
+  late?: string;
+  note?: string;
+}
+
+/** What is booked of a robot, earliest first; whose clock counts is that of the robot's own site. */
+export interface BookView {
+  robot: string;
+  you: string;
+  now_s: number;
+  asked_s: number;
+  is_needed?: boolean;
+  bookings?: (BookingView)[];
+}
+
+/** A user's time ends, and another one follows. */
+export interface SlotEndView {
+  user: string;
+  follower: string;
+  at_s: number;
+}
+
 /** An open dictionary. */
 export interface DictionaryView {
   name: string;
@@ -1505,6 +1587,38 @@ export interface TaskView {
   path?: string;
   code?: string;
   file?: string;
+}
+
+/** Where cards are looked for. */
+export interface NetworkPlaceView {
+  address: string;
+  why?: Reason | null;
+}
+
+/** A runtime that a site offers, with the robots that it drives. */
+export interface NetworkRuntimeView {
+  address: string;
+  robots?: (string)[];
+}
+
+/** A site by its card. */
+export interface NetworkSiteView {
+  name: string;
+  signer: string;
+  standing: 'known' | 'namesake' | 'new' | 'older' | 'other_key' | 'overdue';
+  until: string;
+  description?: string;
+  runtimes?: (NetworkRuntimeView)[];
+  libraries?: (string)[];
+}
+
+/** What one look has found. */
+export interface NetworkView {
+  places?: (NetworkPlaceView)[];
+  sites?: (NetworkSiteView)[];
+  left_out?: number;
+  bad?: number;
+  unjudged?: number;
 }
 
 /** One thing that a library offers: a task, configuration, icon, application or world. */
@@ -1925,6 +2039,9 @@ export interface RuntimeView {
   moved?: Record<string, (Reason)[]>;
   is_cut?: boolean;
   round_trip_ms?: number;
+  book?: BookView | null;
+  slot_ends?: SlotEndView | null;
+  clock_set_s?: number;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */
@@ -2206,6 +2323,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

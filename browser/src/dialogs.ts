@@ -9,6 +9,7 @@ import InsertPanel from './group/InsertPanel.svelte'
 import SaveGroupPanel from './group/SaveGroupPanel.svelte'
 import WhatIfPanel from './foresight/WhatIfPanel.svelte'
 import HelpSheet from './help/HelpSheet.svelte'
+import BookingsPanel from './holding/BookingsPanel.svelte'
 import HoldingPanel from './holding/HoldingPanel.svelte'
 import RemoteLibrariesPanel from './library/RemoteLibrariesPanel.svelte'
 import JobPanel from './picture/JobPanel.svelte'
@@ -28,6 +29,7 @@ import SourcePanel from './task/SourcePanel.svelte'
 import type { DialogName } from './state/dialogs.svelte'
 
 export const DIALOGS: Partial<Record<DialogName, Component>> = {
+  bookings: BookingsPanel,
   bringBack: BringBackPanel,
   buttons: ButtonsPanel,
   connect: ConnectPanel,

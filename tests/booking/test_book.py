@@ -6,8 +6,8 @@ from contextlib import suppress
 
 import pytest
 
-from onika.booking.book import AHEAD_S, LONGEST_S, MOST, STEP_S, BookingBook, BookRefused, book_path
-from onika.wire.booking import Booking
+from onika.booking.book import AHEAD_S, LONGEST_S, MOST, BookingBook, BookRefused, book_path
+from onika.wire.booking import STEP_S, Booking
 
 NOW = 1_000_000 * STEP_S
 ARM = "arm"

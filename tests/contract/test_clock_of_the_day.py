@@ -12,6 +12,7 @@ import onika
 HOUSE = Path(onika.__file__).parent
 OF_PEOPLE = {
     "agent/program.py",
+    "cli/fabric/command.py",
     "cli/library.py",
     "cli/own.py",
     "desk/console/readings_log.py",

@@ -19,6 +19,13 @@ command({
   run: () => (dialogs.current.name === 'holding' ? closeDialog() : openDialog('holding')),
 })
 command({
+  id: 'run.bookings',
+  group: 'run',
+  title: () => t('book.open'),
+  when: isThere,
+  run: () => (dialogs.current.name === 'bookings' ? closeDialog() : openDialog('bookings')),
+})
+command({
   id: 'run.accept',
   group: 'run',
   title: () => t('holding.accept'),

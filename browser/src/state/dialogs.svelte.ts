@@ -1,6 +1,7 @@
 // Which panel is open beside everything else.
 
 export type DialogName =
+  | 'bookings'
   | 'buttons'
   | 'connect'
   | 'help'

@@ -9,12 +9,10 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 
 from onika.files.state.state_directory import state_directory
-from onika.wire.booking import Booking
+from onika.wire.booking import STEP_S, Booking
 from onika.words.reason import NOTHING, Reason
 from onika.words.utc import utc
 
-STEP_S = 300
-"""Bookings begin and end at such steps, but for one that begins now."""
 AHEAD_S = 60 * 86_400
 LONGEST_S = 24 * 3_600
 MOST = 8

@@ -40,6 +40,7 @@ COMMANDS = (
     "icon",
     "own",
     "library",
+    "fabric",
     "text",
     "user",
     "audit",

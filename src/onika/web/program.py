@@ -18,6 +18,7 @@ from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.library_services import LibraryServices
+from onika.desk.environment.outcome.network_services import NetworkServices
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
@@ -28,6 +29,7 @@ from onika.desk.environment.runs.readiness import ReadinessJudge
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.stations import Stations
 from onika.desk.environment.world_channel import WorldChannel
+from onika.fabric.phone_book import PhoneBook
 from onika.store.live_path import LivePath
 from onika.store.mesh_folder import MeshFolder
 from onika.store.remote.library_access import LibraryAccess
@@ -108,6 +110,7 @@ class EnvironmentProgram:
         keeping, meshing = BackgroundWorker(tell, "keeping"), BackgroundWorker(tell, "meshing")
         forecaster = Forecaster(self._site, BackgroundWorker(tell, "forecast")) if self._options.foresees else None
         remote = self._remote(BackgroundWorker(tell, "fetching"))
+        network = NetworkServices(BackgroundWorker(tell, "network"), PhoneBook(self._state))
         surroundings = Services(
             self._site,
             time.monotonic,
@@ -119,6 +122,7 @@ class EnvironmentProgram:
             meshing=meshing,
             remote=remote,
             player=PLAYER,
+            network=network,
         )
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
@@ -158,6 +162,7 @@ class EnvironmentProgram:
             comparing.close()
             keeping.close()
             meshing.close()
+            network.worker.close()
             if remote is not None:
                 remote.close()
             if diary is not None:

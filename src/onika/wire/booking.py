@@ -1,6 +1,11 @@
 """What is asked about the times for which a robot is booked (requirement F09). Times are seconds of UTC since 1970."""
 
+from math import ceil
+
 from msgspec import Struct
+
+STEP_S = 300
+"""Bookings begin and end at such steps, but for one that begins now."""
 
 
 class Booking(Struct, frozen=True):
@@ -62,6 +67,11 @@ class BookingList(Struct, frozen=True, tag=True):
     you: str
     bookings: tuple[Booking, ...] = ()
     is_needed: bool = False
+
+
+def step_after(at_s: float) -> int:
+    """The first step that is not before a time."""
+    return ceil(at_s / STEP_S) * STEP_S
 
 
 BookingRequest = Book | ExtendBooking | CancelBooking | Bookings

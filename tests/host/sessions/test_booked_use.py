@@ -2,11 +2,12 @@
 
 import pytest
 
-from onika.booking.book import STEP_S, BookingBook
+from onika.booking.book import BookingBook
 from onika.host.sessions.booked_use import BookedUse
 from onika.host.sessions.site_clock import SiteClock
 from onika.link.caller import Role
 from onika.wire import booking, event, holding, live, request, steer
+from onika.wire.booking import STEP_S
 from onika.words.reason import NOTHING
 
 NOW = 1_000_000 * STEP_S

@@ -4,15 +4,14 @@ import sys
 import pytest
 
 from kit.labs.library_site import new_key
-from onika.store.remote import signature as signatures
-from onika.store.remote.signature import Signature, fault, parted, sign
+from onika.store.remote.signature import NAMESPACE, Signature, fault, parted, sign
 from onika.words.reason import Reason
 
 NO_PROGRAM = "no-such-program"
 
 
-def signed(tmp_path, body: bytes = b"body") -> tuple[Signature, bytes]:
-    content = sign(body, new_key(tmp_path))
+def signed(tmp_path, body: bytes = b"body", namespace: str = NAMESPACE) -> tuple[Signature, bytes]:
+    content = sign(body, new_key(tmp_path), namespace=namespace)
     assert isinstance(content, bytes)
     both = parted(content)
     assert not isinstance(both, Reason)
@@ -26,11 +25,10 @@ def test_a_signature_is_good_for_what_was_signed_only(tmp_path):  # R-X16
     assert fault(signature, b"bodY").key == "store.signature_bad"
 
 
-def test_the_signature_of_another_thing_is_none_of_a_library(tmp_path, monkeypatch):  # R-X16
-    monkeypatch.setattr(signatures, "NAMESPACE", "onika-card")
-    signature, body = signed(tmp_path)
-    monkeypatch.undo()
+def test_the_signature_of_another_thing_is_none_of_a_library(tmp_path):  # R-X16
+    signature, body = signed(tmp_path, namespace="onika-card")
     assert fault(signature, body).key == "store.signature_of_other"
+    assert not fault(signature, body, namespace="onika-card")
 
 
 def test_a_signature_under_another_key_is_not_good(tmp_path):  # R-X16

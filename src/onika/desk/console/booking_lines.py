@@ -4,15 +4,14 @@ Times are reckoned by the clock of the robot's site, which its answer tells, and
 """
 
 import re
-from math import ceil
 
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import booking, request
+from onika.wire.booking import step_after
 from onika.words.reason import Reason
 from onika.words.utc import utc
 
 Words = tuple[str, ...]
-_STEP_S = 300
 _DAY_S = 86_400
 _LENGTH = re.compile(r"(?:(\d{1,3})h)?(?:(\d{1,4})m)?")
 _CLOCK = re.compile(r"(\d{1,2}):(\d{2})")
@@ -52,7 +51,7 @@ def extend(session: ConsoleSession, words: Words) -> Faults:
     if not isinstance(listing, booking.BookingList):
         return session.no(_why(listing))
     begins = [booked.begin_s for booked in listing.bookings if booked.number == number]
-    end_s = _step_after((begins[0] if begins else listing.now_s) + length_s)
+    end_s = step_after((begins[0] if begins else listing.now_s) + length_s)
     return _say_booked(session, session.ask(booking.ExtendBooking(number, end_s)))
 
 
@@ -71,7 +70,7 @@ def _book_request(words: Words, now_s: float) -> booking.Book | None:
         begin_s, rest = int(now_s), words[1:]
     elif words[:1] == ("in",) and len(words) > 1:
         wait_s = _length_s(words[1])
-        begin_s, rest = None if wait_s is None else _step_after(now_s + wait_s), words[2:]
+        begin_s, rest = None if wait_s is None else step_after(now_s + wait_s), words[2:]
     else:
         begin_s, rest = _at_clock(words[0], now_s), words[1:]
     length_s = _length_s(rest[1]) if rest[:1] == ("for",) and len(rest) > 1 else None
@@ -79,7 +78,7 @@ def _book_request(words: Words, now_s: float) -> booking.Book | None:
         return None
     late = "finish" if rest[2:3] == ("finish",) else "stop"
     note = " ".join(rest[3:] if late == "finish" else rest[2:])
-    return booking.Book(begin_s, _step_after(begin_s + length_s), late, note)
+    return booking.Book(begin_s, step_after(begin_s + length_s), late, note)
 
 
 def _at_clock(word: str, now_s: float) -> int | None:
@@ -102,10 +101,6 @@ def _length_s(word: str) -> int | None:
 
 def _number(word: str) -> int | None:
     return int(word) if word.isascii() and word.isdigit() and len(word) < 10 else None
-
-
-def _step_after(at_s: float) -> int:
-    return ceil(at_s / _STEP_S) * _STEP_S
 
 
 def _line(booked: booking.Booking, now_s: float, you: str) -> Reason:

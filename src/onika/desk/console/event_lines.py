@@ -186,7 +186,7 @@ def _stopped(stopped: event.Stopped) -> Line:
 def _slot(message: event.SlotEnds | event.ClockSet) -> Line:
     """Whose time with the robot ends."""
     if isinstance(message, event.ClockSet):
-        return Reason.of("console.clock_set", seconds=message.by_s), Tone.NOTE
+        return Reason.of("booking.clock_set", seconds=message.by_s), Tone.NOTE
     if message.left_s <= 0:
         return Reason.of("booking.over", user=message.user, follower=message.follower), Tone.NOTE
     minutes = max(1, round(message.left_s / 60))

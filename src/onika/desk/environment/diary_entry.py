@@ -98,6 +98,9 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.BrowseLibrary: ("browse_library", "main"),
     act.TakeLibrary: ("take_library", "main"),
     act.DropLibrary: ("drop_library", "main"),
+    act.AddPlace: ("add_place", "main"),
+    act.DropPlace: ("drop_place", "main"),
+    act.TrustSite: ("trust_site", "main"),
     act.Connect: ("connect", "conf"),
     act.AddStation: ("add_station", "main"),
     act.RemoveStation: ("remove_station", "main"),
@@ -128,6 +131,9 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Decline: ("decline", "conf"),
     act.OnlyWatch: ("only_watch", "main"),
     act.WatchNoMore: ("watch_no_more", "main"),
+    act.BookRobot: ("book", "main"),
+    act.ProlongBooking: ("prolong_booking", "main"),
+    act.TakeBackBooking: ("take_back_booking", "main"),
     act.Draft: ("try_job", "dict"),
     act.MakeJob: ("new_job", "dict"),
     act.Prefer: ("set_preference", "main"),
@@ -157,20 +163,9 @@ _BOTH = (act.Open, act.Close, act.Save, act.Reload, act.Keep, act.Undo, act.Redo
 """Acts on either kind of document: of an application they are called so, and stand in its window."""
 
 _THINGS = (
-    "onikon",
-    "tasks",
-    "task",
-    "new",
-    "svars",
-    "variable",
-    "name",
-    "library",
-    "path",
-    "url",
-    "values",
-    "loci",
-    "line",
-)
+    "onikon", "tasks", "task", "new", "svars", "variable", "name", "library",
+    "path", "url", "place", "values", "loci", "line",
+)  # fmt: skip
 """The fields of acts that name what is acted upon; the first that says something counts."""
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from onika.desk.environment import buttons, diary, own_copies, own_undo, preferences, remote_libraries
+from onika.desk.environment import buttons, diary, network, own_copies, own_undo, preferences, remote_libraries
 from onika.desk.environment.canvas import (
     check,
     clipboard,
@@ -23,7 +23,7 @@ from onika.desk.environment.canvas import (
     task_commands,
     tight_change,
 )
-from onika.desk.environment.control import control_authority, held_subsystems, stations, view_only
+from onika.desk.environment.control import bookings, control_authority, held_subsystems, stations, view_only
 from onika.desk.environment.environment import Handler
 from onika.desk.environment.file import applications, configurations, file_acts
 from onika.desk.environment.icons import (
@@ -114,6 +114,10 @@ HANDLERS: Mapping[type, Handler] = {
     act.BrowseLibrary: remote_libraries.browse_library,
     act.TakeLibrary: remote_libraries.take_library,
     act.DropLibrary: remote_libraries.drop_library,
+    act.LookAtNetwork: network.look,
+    act.AddPlace: network.add_place,
+    act.DropPlace: network.drop_place,
+    act.TrustSite: network.trust_site,
     act.Copy: clipboard.copy,
     act.Cut: clipboard.cut,
     act.Paste: clipboard.paste,
@@ -166,6 +170,10 @@ HANDLERS: Mapping[type, Handler] = {
     act.OnlyWatch: view_only.only_watch,
     act.WatchNoMore: view_only.watch_no_more,
     act.Company: presence.look_around,
+    act.LookAtBookings: bookings.look,
+    act.BookRobot: bookings.book,
+    act.ProlongBooking: bookings.prolong,
+    act.TakeBackBooking: bookings.take_back,
     act.SteerTaken: held_subsystems.steer_taken,
     act.Scene: scene.scene,
     act.Meshes: meshes.meshes,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from onika.files.state.access import ANYTHING, WRITING, Access
 
-_SECRET = ("token", "console_history", "staying", "staying.log", "bookings", "sites", "page-users")
+_SECRET = ("token", "console_history", "staying", "staying.log", "bookings", "sites", "page-users", "address-book")
 _SECRET_FOLDERS = ("audit", "diary", "black-boxes", "library-tokens")
 _FOLDERS = ("recordings", "recovery", "replaced", "meshes")
 _MOST = 1000

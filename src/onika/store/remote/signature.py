@@ -1,4 +1,4 @@
-"""The signature of a library's index, as `ssh-keygen -Y sign` makes it: whose it is, and whether it is good (X16).
+"""A signature as `ssh-keygen -Y sign` makes it, of a library or a site's card: whose it is, whether it is good (X16).
 
 Keys are those that people have for ssh. Nothing is signed or judged by ciphers of our own: `ssh-keygen` does it, or,
 where there is none, the package `cryptography`, which here judges Ed25519 only; without either nothing is believed.
@@ -18,7 +18,7 @@ from pathlib import Path
 from onika.words.reason import NOTHING, Reason, reason_of
 
 NAMESPACE = "onika-library"
-"""What is signed: a signature for anything else is none for a library."""
+"""What is signed where nothing else is said: a signature for anything else is none for a library."""
 
 PROGRAM = "ssh-keygen"
 _BEGIN, _END = b"-----BEGIN SSH SIGNATURE-----\n", b"\n-----END SSH SIGNATURE-----\n"
@@ -62,9 +62,9 @@ def parted(content: bytes) -> tuple[Signature, bytes] | Reason:
         return Reason.of("store.signature_missing")
 
 
-def fault(signature: Signature, body: bytes, program: str = PROGRAM) -> Reason:
+def fault(signature: Signature, body: bytes, program: str = PROGRAM, namespace: str = NAMESPACE) -> Reason:
     """Why a signature is none of `body` by its key; NOTHING where it is good."""
-    if signature.namespace != NAMESPACE:
+    if signature.namespace != namespace:
         return Reason.of("store.signature_of_other", namespace=repr(signature.namespace[:40]))
     path = shutil.which(program)
     if path is not None:
@@ -75,12 +75,12 @@ def fault(signature: Signature, body: bytes, program: str = PROGRAM) -> Reason:
     return judge(signature, body)
 
 
-def sign(body: bytes, key: Path, program: str = PROGRAM) -> bytes | Reason:
+def sign(body: bytes, key: Path, program: str = PROGRAM, namespace: str = NAMESPACE) -> bytes | Reason:
     """`body` behind its signature by the key in a file; `ssh-keygen` asks for its pass phrase, or an agent, itself."""
     path = shutil.which(program)
     if path is None:
         return Reason.of("store.no_signing_program")
-    words = [path, "-q", "-Y", "sign", "-f", str(key), "-n", NAMESPACE]
+    words = [path, "-q", "-Y", "sign", "-f", str(key), "-n", namespace]
     signed = subprocess.run(words, input=body, capture_output=True, check=False)  # noqa: S603 - no shell; a path
     if signed.returncode != 0:
         return Reason.of("store.not_signed", why=_last_line(signed.stderr))
@@ -91,11 +91,12 @@ def _fault_by_program(signature: Signature, body: bytes, path: str) -> Reason:
     kind = _kind(signature.key)
     if kind is None:
         return Reason.of("store.signature_bad")
-    signers = b'library namespaces="%s" %s %s\n' % (NAMESPACE.encode(), kind, base64.b64encode(signature.key))
+    namespace = signature.namespace.encode()
+    signers = b'library namespaces="%s" %s %s\n' % (namespace, kind, base64.b64encode(signature.key))
     with tempfile.TemporaryDirectory(prefix="onika-") as folder:
         (Path(folder) / "signers").write_bytes(signers)
         (Path(folder) / "signature").write_bytes(signature.text)
-        words = [path, "-q", "-Y", "verify", "-f", f"{folder}/signers", "-I", "library", "-n", NAMESPACE]
+        words = [path, "-q", "-Y", "verify", "-f", f"{folder}/signers", "-I", "library", "-n", signature.namespace]
         words += ["-s", f"{folder}/signature"]
         try:
             done = subprocess.run(words, input=body, capture_output=True, check=False, timeout=_PATIENCE_S)  # noqa: S603

@@ -22,6 +22,7 @@ WATCHING: frozenset[type] = frozenset(
         act.Meshes,
         act.SampleVariables,
         act.Company,
+        act.LookAtBookings,
         act.Glance,
         act.RecordedScene,
         act.Course,
@@ -37,13 +38,16 @@ _OPERATING: frozenset[type] = frozenset(
         *(act.FindRoom, act.AskModule, act.TellModule, act.WriteVariable, act.CheckMemory, act.LogReadings),
         *(act.Answer, act.Push, act.Reset, act.AddUnit, act.RecordByHand),
         *(act.Take, act.Release, act.Hand, act.Decline, act.OnlyWatch, act.WatchNoMore, act.SteerTaken),
+        *(act.BookRobot, act.ProlongBooking, act.TakeBackBooking),
         *(act.Run, act.Redirect, act.Seats, act.FindWorlds, act.Steer, act.SkipTo, act.Dismiss, act.PutBack),
         *(act.Preflight, act.ForeseenInstant, act.WhatIf, act.Teach, act.PointAt, act.FitTargets),
         *(act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith, act.ShareRecording),
     )
 )
 
-_OWNING: frozenset[type] = frozenset((act.StartAnew, act.SetButton, act.TakeLibrary, act.DropLibrary))
+_OWNING: frozenset[type] = frozenset(
+    (act.StartAnew, act.SetButton, act.TakeLibrary, act.DropLibrary, act.AddPlace, act.DropPlace, act.TrustSite)
+)
 
 _PROGRAMMING: frozenset[type] = frozenset(
     (
@@ -54,7 +58,7 @@ _PROGRAMMING: frozenset[type] = frozenset(
         *(act.KeepSet, act.SwitchSet, act.RemoveSet, act.SaveTask, act.ForgetTask),
         *(act.ReadText, act.WriteText, act.NewModule, act.ArrangeTask, act.ArrangeIcon, act.LoadModule),
         *(act.CompareWithShipped, act.GoBackToShipped, act.ListReplaced, act.BringBack),
-        *(act.ListRemoteLibraries, act.BrowseLibrary, act.Renew, act.Draft, act.MakeJob),
+        *(act.ListRemoteLibraries, act.BrowseLibrary, act.LookAtNetwork, act.Renew, act.Draft, act.MakeJob),
         *(act.Prefer, act.Press, act.Halt),
         *(act.NewApplication, act.InsertIcon, act.InsertBranch, act.SetConditions, act.ExchangeIcon),
         *(act.RemoveIcons, act.MoveIcons, act.CopyIcons, act.CutIcons, act.PasteIcons, act.EditIcon),

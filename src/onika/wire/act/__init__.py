@@ -28,6 +28,12 @@ from onika.wire.act.application import (
     Steps as Steps,
     Values as Values,
 )
+from onika.wire.act.booking import (
+    BookRobot as BookRobot,
+    LookAtBookings as LookAtBookings,
+    ProlongBooking as ProlongBooking,
+    TakeBackBooking as TakeBackBooking,
+)
 from onika.wire.act.canvas import (
     Align as Align,
     Arrange as Arrange,
@@ -96,6 +102,12 @@ from onika.wire.act.library import (
     ReadText as ReadText,
     SaveTask as SaveTask,
     WriteText as WriteText,
+)
+from onika.wire.act.network import (
+    AddPlace as AddPlace,
+    DropPlace as DropPlace,
+    LookAtNetwork as LookAtNetwork,
+    TrustSite as TrustSite,
 )
 from onika.wire.act.own import (
     Halt as Halt,
@@ -237,6 +249,10 @@ AnyAct = (
     | BrowseLibrary
     | TakeLibrary
     | DropLibrary
+    | LookAtNetwork
+    | AddPlace
+    | DropPlace
+    | TrustSite
     | Connect
     | AddStation
     | PlaceFlow
@@ -269,6 +285,10 @@ AnyAct = (
     | OnlyWatch
     | WatchNoMore
     | Company
+    | LookAtBookings
+    | BookRobot
+    | ProlongBooking
+    | TakeBackBooking
     | SteerTaken
     | Watch
     | Scene

@@ -13,6 +13,11 @@ from onika.wire.view.application import (
     StepView as StepView,
 )
 from onika.wire.view.asking import AskItem as AskItem, AskView as AskView, ErrorView as ErrorView
+from onika.wire.view.booking import (
+    BookingView as BookingView,
+    BookView as BookView,
+    SlotEndView as SlotEndView,
+)
 from onika.wire.view.dictionary import (
     DictionaryView as DictionaryView,
     ItemView as ItemView,
@@ -43,6 +48,12 @@ from onika.wire.view.library import (
     ParameterView as ParameterView,
     PinView as PinView,
     TaskView as TaskView,
+)
+from onika.wire.view.network import (
+    NetworkPlaceView as NetworkPlaceView,
+    NetworkRuntimeView as NetworkRuntimeView,
+    NetworkSiteView as NetworkSiteView,
+    NetworkView as NetworkView,
 )
 from onika.wire.view.remote_library import (
     OfferEntryView as OfferEntryView,

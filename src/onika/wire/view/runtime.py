@@ -5,6 +5,7 @@ from typing import Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView
+from onika.wire.view.booking import BookView, SlotEndView
 from onika.wire.view.subsystem import SubsystemView
 from onika.wire.view.view import View
 from onika.words.reason import NOTHING, Reason
@@ -89,3 +90,9 @@ class RuntimeView(View, frozen=True):
     """Whether nothing is heard of it at present, although it is not given up yet."""
     round_trip_ms: float = -1.0
     """How long the way there and back takes; -1: it was not measured."""
+    book: BookView | None = None
+    """For whom its robot is booked; None: it was not asked, or keeps no bookings."""
+    slot_ends: SlotEndView | None = None
+    """Whose time ends, as it was announced."""
+    clock_set_s: float = 0.0
+    """By how much the clock of its machine was set last, since this environment came; 0: it was not."""

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.library_services import LibraryServices
+from onika.desk.environment.outcome.network_services import NetworkServices
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.store.site import Site
 
@@ -26,6 +27,7 @@ class Services:
     meshing   makes the meshes that a page draws; None: none are made
     remote    what acts on libraries of others need; None: there are none
     player    the folder of the player of shared files; None: recordings are not shared
+    network   what acts on other sites need; None: none are found
     """
 
     site: Site
@@ -39,3 +41,4 @@ class Services:
     meshing: BackgroundWorker | None = None
     remote: LibraryServices | None = None
     player: Path | None = None
+    network: NetworkServices | None = None

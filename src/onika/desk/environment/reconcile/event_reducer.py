@@ -6,7 +6,7 @@ from typing import Literal
 import msgspec
 
 from onika.desk.environment.outcome.outcome import Done, EditEnd, No
-from onika.desk.environment.reconcile import holders, presence, reconciliation, task_reducer
+from onika.desk.environment.reconcile import holders, presence, reconciliation, slots, task_reducer
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import subsystem_views
 from onika.desk.environment.state.document import Document
@@ -15,6 +15,8 @@ from onika.desk.run import transfer_text
 from onika.wire import event, page, view
 from onika.wire.view import ShowRecording, ShowTask
 from onika.words.reason import NOTHING, Reason
+
+_HolderEvent = event.Held | event.Offered | event.Company | event.Moved | event.SlotEnds | event.ClockSet
 
 
 def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
@@ -33,7 +35,7 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return _recorded(model, message)
         case event.Result() if not is_going(model):  # of a run that is not of this environment
             return Done(model, orders=(presence.ask_what(),))
-        case event.Held() | event.Offered() | event.Company() | event.Moved():
+        case event.Held() | event.Offered() | event.Company() | event.Moved() | event.SlotEnds() | event.ClockSet():
             return _of_holder(model, message, at_s)
         case event.Stopped() | event.Lost() | event.UnitUp() | event.Drive() | event.Outdated():
             return _of_runtime(model, message)
@@ -79,8 +81,8 @@ def _recorded(model: Model, message: event.Recording) -> Done:
     return Done(model, says=(page.Say("warning", reason, doc, where),))
 
 
-def _of_holder(model: Model, message: event.Held | event.Offered | event.Company | event.Moved, at_s: float) -> Done:
-    """Who is there, who holds what, and where the runs of others are."""
+def _of_holder(model: Model, message: _HolderEvent, at_s: float) -> Done:
+    """Who is there, who holds what, for whom it is booked, and where the runs of others are."""
     match message:
         case event.Held():
             return _held(model, message, at_s)
@@ -90,6 +92,8 @@ def _of_holder(model: Model, message: event.Held | event.Offered | event.Company
             return presence.came(model, message)
         case event.Moved():
             return Done(replace(model, runtime=holders.moved(model.runtime, message)))
+        case event.SlotEnds() | event.ClockSet():
+            return slots.after_slot(model, message, at_s)
 
 
 def _of_runtime(

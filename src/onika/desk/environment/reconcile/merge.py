@@ -109,6 +109,9 @@ def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeVi
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,
         inside=subsystem_views.surveyed(former.inside, standing),
+        book=former.book,
+        slot_ends=former.slot_ends,
+        clock_set_s=former.clock_set_s,
     )
 
 

@@ -1,0 +1,1 @@
+"""Which sites there are: signed cards, places where they are found, and whom the user knows already (F06)."""

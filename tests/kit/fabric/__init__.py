@@ -1,0 +1,1 @@
+"""Sites that announce themselves, honestly or not."""
