@@ -1,8 +1,5 @@
-from msgspec import structs
-
-from onika.desk.plan.plan_part import flows_of, part_of, targets_of
+from onika.desk.plan.plan_part import flows_of, part_of
 from onika.wire.plan import Code, Do, Fork, Halt, Join, Plan, PlannedFlow
-from onika.wire.request import TargetValues
 
 
 def flow(subsystem, parent=None, program=()):
@@ -33,8 +30,3 @@ def test_a_part_is_a_plan_of_its_own():  # R-E12
     assert [flow.parent for flow in part.flows] == [None, 0, 0]
     assert part.flows[0].program == (Do(0), Fork(((1, 0), (2, 4)), "both"), Join((1, 2)), Halt())
     assert part.code == () and part.application == "play"  # no task of it has that code
-
-
-def test_targets_go_with_their_flows():  # R-E12, R-X02
-    targets = tuple(TargetValues(flow, 0, "place", (1.0,)) for flow in (0, 2, 4))
-    assert targets_of(targets, (1, 2, 3)) == (structs.replace(targets[1], flow=1),)

@@ -20,6 +20,7 @@ from onika.ring.displacement import Displacement
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import Foreseen, Foresight, WhatIf
 from onika.wire.plan import PlannedTask
+from onika.wire.rendezvous_link import Linked, LinkRuntimes, OfferPact, PactOffered, Way
 from onika.wire.runtime_standing import RtpuStanding, Standing, SubsystemStanding, TaskStanding
 from onika.wire.samples import Sample, Sampled
 from onika.words.reason import NOTHING, Reason
@@ -146,6 +147,8 @@ class LiveRuntime:
             case request.Prepare():
                 self._prepared = message.plan.application
                 return request.Prepared(self.faults, worlds=self.worlds)
+            case OfferPact() | LinkRuntimes():
+                return _linked(message)
             case live.ListWorlds():
                 return live.WorldList(self.worlds)
             case live.PutBack():
@@ -386,3 +389,10 @@ class LiveRuntime:
     def _pass(self, seconds: float) -> None:
         self.now_s += seconds
         self._as_time_passes(self)
+
+
+def _linked(message: OfferPact | LinkRuntimes) -> PactOffered | Linked:
+    """As near as another machine of the room: a round trip of 2 ms."""
+    if isinstance(message, OfferPact):
+        return PactOffered(4711, b"n" * 8, b"k" * 16, 1)
+    return Linked(tuple(Way(other.site, 2_000_000, 1_000_000) for other in message.partners))

@@ -70,6 +70,8 @@ def lab(tmp_path_factory):
     lab = small_laboratory(tmp_path_factory.mktemp("base") / "bench")
     steps = [job("pauseC", "Pause job"), target("for_a_while", "Pause object", "1.0")]
     Laboratory(lab.path).application("apart", steps * 2, steps, parallel=True)
+    tagged = [job("pauseC", "Pause job", "SYNCHTAG meet"), target("for_a_while", "Pause object", "0.2")]
+    Laboratory(lab.path).application("together", [*steps, *tagged], [*tagged, *steps], parallel=True)
     return lab
 
 
@@ -91,14 +93,34 @@ def turned_on(me, connect):
     me.state("wave", "ON")
 
 
-def test_flows_are_carried_out_at_two_runtimes_in_one_account(me, places):  # R-E12, R-F02
-    page = me.page
-    page.get_by_role("button", name="Applications", exact=True).click()
-    page.locator("body").press("Control+o")
-    opening = page.get_by_role("dialog", name="Open an application")
-    opening.get_by_role("searchbox").fill("apart")
-    opening.get_by_role("button", name="Open apart", exact=True).click()
+def opened(me, name):
+    """An application, on the page of applications."""
+    me.page.get_by_role("button", name="Applications", exact=True).click()
+    me.page.locator("body").press("Control+o")
+    opening = me.page.get_by_role("dialog", name="Open an application")
+    opening.get_by_role("searchbox").fill(name)
+    opening.get_by_role("button", name=f"Open {name}", exact=True).click()
     expect(opening).to_have_count(0)
+
+
+def run_apart(me, name):
+    """Its two flows are placed at the two stations, and it is run; the panel of the run."""
+    page = me.page
+    page.locator("body").press("Alt+i")
+    redirect = page.get_by_role("dialog", name=f"Redirect {name}")
+    for flow, station in (("0", "cmu"), ("1", "sandia")):
+        redirect.locator("label.chip").filter(has_text=re.compile(rf"flow {flow}$", re.I)).click()
+        redirect.get_by_label("Runs at").select_option(label=station)
+        expect(redirect.get_by_label("Runs at")).to_have_value(station)
+    page.keyboard.press("Escape")
+    run = page.get_by_role("region", name="Run", exact=True)
+    run.get_by_role("button", name=re.compile("^Run")).click()
+    return run
+
+
+def test_flows_are_carried_out_at_two_runtimes_and_meet_there_by_themselves(me, places):  # R-E12, R-F02, law 28
+    page = me.page
+    opened(me, "apart")
     chip(me, "cmu").click()
     panel = page.get_by_role("dialog", name="Stations")
     panel.get_by_label("Name").fill("sandia")
@@ -107,18 +129,17 @@ def test_flows_are_carried_out_at_two_runtimes_in_one_account(me, places):  # R-
     panel.get_by_role("button", name="Connect", exact=True).click()
     expect(panel).to_have_count(0)
     expect(chip(me, "sandia")).to_be_visible()
-    page.locator("body").press("Alt+i")
-    redirect = page.get_by_role("dialog", name="Redirect apart")
-    for flow, station in (("0", "cmu"), ("1", "sandia")):
-        redirect.locator("label.chip").filter(has_text=re.compile(rf"flow {flow}$", re.I)).click()
-        redirect.get_by_label("Runs at").select_option(label=station)
-        expect(redirect.get_by_label("Runs at")).to_have_value(station)
-    page.keyboard.press("Escape")
-    run = page.get_by_role("region", name="Run", exact=True)
-    run.get_by_role("button", name=re.compile("^Run")).click()
+    run = run_apart(me, "apart")
     for flow, station in (("0", "cmu"), ("1", "sandia")):
         expect(run.get_by_role("group", name=f"Flow {flow}")).to_contain_text(station)
     expect(page.get_by_text(re.compile("^apart is done: 3 actions")).first).to_be_visible(timeout=20_000)
+    opened(me, "together")
+    run = run_apart(me, "together")
+    expect(run).to_contain_text(
+        re.compile(r"flows meet at tags on cmu, sandia.*held after [\d.]+ ms"), timeout=20_000
+    )
+    expect(page.get_by_text(re.compile("^together is done: 4 actions")).first).to_be_visible(timeout=30_000)
+    expect(run).to_contain_text("held after")
 
 
 def test_configurations_are_on_at_two_runtimes_and_stop_reaches_the_one_that_is_heard(

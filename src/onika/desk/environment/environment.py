@@ -5,8 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
 from onika.desk.environment.file import undo
+from onika.desk.environment.outcome.gathered_responses import GatheredResponses
 from onika.desk.environment.outcome.outcome import (
     Ask,
+    AskAll,
     AwaitedNews,
     Done,
     InterimModel,
@@ -83,6 +85,7 @@ class Environment:
         self._surroundings = surroundings
         self._channel = channel
         self._projector = Projector()
+        self._gathered = GatheredResponses()
         self._waiting: dict[Hashable, list[_Act]] = {}
         """Acts by what they wait for: a response, work that is done aside, a change of a running system."""
         self.model = model
@@ -119,7 +122,8 @@ class Environment:
         """A runtime has replied to an order."""
         if order.then is not None:
             self._adopt(order.then(self.model.at(order.station or ""), response), "")
-        self._come(order.identity, response)
+        gathered = self._gathered.take(order, response)
+        self._come(*(gathered or (order.identity, response)))
 
     def receive(self, message: event.Event, station: str = "") -> None:
         """The runtime of a station has told something."""
@@ -159,6 +163,9 @@ class Environment:
             order = Order(outcome.request, reach=outcome.reach, station=carried.station)
             orders = (order, *orders)
             self._waiting[order.identity] = [carried]
+        elif isinstance(outcome, AskAll):
+            orders = (*self._gathered.begin(outcome), *orders)
+            self._waiting[outcome] = [carried]
         elif isinstance(outcome, AwaitedNews):
             self._waiting.setdefault(outcome.what, []).append(carried)
         self._adopt(Done(outcome.model, orders=orders, says=outcome.says, news=outcome.news), by)

@@ -2,7 +2,8 @@
 
 import secrets
 import socket
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from typing import cast
 
 from onika.desk.plan.plan_parts import PlanPart, shared_tags
 from onika.engine.rendezvous_terms import RendezvousTerms
@@ -10,22 +11,39 @@ from onika.link.address import is_near
 from onika.wire.rendezvous_link import Linked, LinkedRuntime, LinkRuntimes, MeetingTerms, OfferPact, PactOffered
 from onika.wire.request import Refused, Request, Response
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
-AskAll = Callable[[Sequence[Request]], list[Response]]
+AskEach = Callable[[Sequence[Request]], Sequence[Response]]
 """Asks each runtime its own request at one time."""
+Linking = Generator[Sequence[Request], Sequence[Response], MeetingTerms | Reason]
 
 _LOCAL, _ANY = "127.0.0.1", "0.0.0.0"  # noqa: S104  where datagrams of one run are heard, each sealed
 _EXTRA_CLOCK_NS = 1_000_000
 
 
-def link(parts: Sequence[PlanPart], titles: Sequence[str], hosts: Sequence[str], ask: AskAll) -> MeetingTerms | Reason:
+def link(parts: Sequence[PlanPart], titles: Sequence[str], hosts: Sequence[str], ask: AskEach) -> MeetingTerms | Reason:
     """The terms on which they meet, or why they cannot."""
+    steps = linking(parts, titles, hosts)
+    requests = next(steps)
+    while True:
+        try:
+            requests = steps.send(ask(requests))
+        except StopIteration as end:
+            return cast("MeetingTerms | Reason", end.value)
+
+
+def linking(parts: Sequence[PlanPart], titles: Sequence[str], hosts: Sequence[str]) -> Linking:
+    """The same in steps: each yields what to ask every runtime at one time, and goes on with their responses."""
     are_near = all(map(is_near, hosts))
-    offers = ask([OfferPact(_LOCAL if are_near else _ANY)] * len(parts))
+    offers = yield [OfferPact(_LOCAL if are_near else _ANY)] * len(parts)
     pacts = [offer for offer in offers if isinstance(offer, PactOffered)]
     if len(pacts) < len(parts):
         return _refusal(offers, titles)
-    answers = ask(_introduced(parts, titles, [_reached(host, hosts) for host in hosts], pacts))
+    try:
+        reached = [_reached(host, hosts) for host in hosts]
+    except OSError as fault:
+        return Reason.of("desk.cannot_meet_at", runtime=titles[0], why=system_reason(fault))
+    answers = yield _introduced(parts, titles, reached, pacts)
     linked = [answer for answer in answers if isinstance(answer, Linked) and not answer.refusal]
     if len(linked) < len(parts):
         return _refusal(answers, titles)
@@ -49,7 +67,7 @@ def _introduced(
     ]
 
 
-def note(terms: MeetingTerms, titles: Sequence[str]) -> Reason:
+def note(terms: MeetingTerms, titles: Sequence[str | Reason]) -> Reason:
     """What whoever begins the run has to know of it."""
     alone_ms = RendezvousTerms(terms.one_way_ns, terms.clock_ns).alone_ns / 1e6
     return Reason.of("desk.meets_on_terms", runtimes=tuple(titles), clock_ms=terms.clock_ns / 1e6, alone_ms=alone_ms)

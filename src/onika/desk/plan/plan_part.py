@@ -5,7 +5,6 @@ from collections.abc import Collection, Sequence
 from msgspec import structs
 
 from onika.wire.plan import Fork, Instruction, Join, Plan, PlannedFlow
-from onika.wire.request import TargetValues
 
 
 def flows_of(plan: Plan, homes: Collection[str]) -> tuple[int, ...]:
@@ -19,12 +18,6 @@ def part_of(plan: Plan, flows: Sequence[int]) -> Plan:
     parts = tuple(_renumbered(plan.flows[flow], numbers) for flow in flows)
     digests = {task.digest for flow in parts for task in flow.tasks}
     return structs.replace(plan, flows=parts, code=tuple(code for code in plan.code if code.digest in digests))
-
-
-def targets_of(targets: Sequence[TargetValues], flows: Sequence[int]) -> tuple[TargetValues, ...]:
-    """The targets of these flows, by their new numbers."""
-    numbers = {old: new for new, old in enumerate(flows)}
-    return tuple(structs.replace(target, flow=numbers[target.flow]) for target in targets if target.flow in numbers)
 
 
 def _renumbered(flow: PlannedFlow, numbers: dict[int, int]) -> PlannedFlow:

@@ -4,7 +4,9 @@ from kit.desk.live_runtime import LiveRuntime
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
 from onika.desk.environment.reconcile.runtime_loss import lost
+from onika.desk.joined import meeting_links
 from onika.wire import act, event, request, steer
+from onika.wire.rendezvous_link import LinkRuntimes
 from onika.words.reason import Reason
 
 CMU = "wss://cmu.example:7994"
@@ -26,6 +28,16 @@ def request_at(play, station, kind):
 def apart(play):
     """Two flows that have no tag in common, the second one at cmu."""
     play.doc = play.open([job("bC"), job("bC")], [job("cC")], parallel=True)
+    play.do(act.PlaceFlow(play.doc, "flow1", "cmu"))
+    return play
+
+
+@pytest.fixture
+def meeting(play, monkeypatch):
+    """Two flows that wait for each other at a tag, the second one at cmu, whose name is not looked up."""
+    monkeypatch.setattr(meeting_links, "_reached", lambda host, hosts: host)
+    first = [job("aC", "Complete job", "SYNCHTAG meet"), job("aC")]
+    play.doc = play.open(first, [job("bC", "Complete job", "SYNCHTAG meet")], parallel=True)
     play.do(act.PlaceFlow(play.doc, "flow1", "cmu"))
     return play
 
@@ -96,3 +108,35 @@ def test_what_is_in_the_way_at_a_station_is_told_and_nothing_begins(apart):  # R
 def test_a_run_at_several_stations_is_not_recorded(apart):  # R-X05
     no = apart.answer(act.Run(apart.doc, is_recorded=True)).no
     assert "several stations" in str(no.reason) and no.remedies[0].act == act.Run(apart.doc)
+
+
+def test_flows_that_wait_for_each_other_at_two_stations_meet_by_themselves(meeting):  # R-E12, R-F02, law 28
+    meeting.run(meeting.doc)
+    here, there = (asked_at(meeting, station, LinkRuntimes)[0] for station in ("", "cmu"))
+    assert (here.run, here.tags) == (there.run, there.tags)
+    assert [tag.tag for tag in here.tags if tag.sites == (0, 1)] == [tag.tag for tag in here.tags]
+    assert "meet" in [tag.tag for tag in here.tags] and len(here.tags) == 2  # and one at which all begin
+    assert [(other.site, other.host) for other in here.partners] == [(1, "cmu.example")]
+    assert [(other.site, other.title) for other in there.partners] == [(0, "the first station")]
+    begins = [asked_at(meeting, station, request.Begin)[0] for station in ("", "cmu")]
+    assert begins[0].meets == begins[1].meets and begins[0].meets.one_way_ns == 1_000_000
+    assert "whoever begins alone is held after" in str(meeting.view.notes[-1])
+
+
+def test_why_runtimes_do_not_meet_is_told_before_anything_begins(meeting):  # R-E12, law 28
+    meeting.others["cmu"].refusals = {"OfferPact": Reason.of("host.wall_time_only")}
+    no = meeting.answer(act.Run(meeting.doc)).no
+    assert "cmu" in str(no.reason) and "wall time only" in str(no.reason)
+    assert [remedy.act for remedy in no.remedies] == [
+        act.PlaceFlow(meeting.doc, "", ""),
+        act.PlaceFlow(meeting.doc, "", "cmu"),
+    ]
+    assert not asked_at(meeting, "", request.Begin) and meeting.environment.tree.run is None
+
+
+def test_a_machine_that_others_cannot_reach_is_told(meeting, monkeypatch):  # R-E12
+    def unreached(host, hosts):
+        raise OSError(101, "no route")
+
+    monkeypatch.setattr(meeting_links, "_reached", unreached)
+    assert "Network is unreachable" in str(meeting.answer(act.Run(meeting.doc)).no.reason)

@@ -4,7 +4,7 @@ from kit.desk.live_runtime import LiveRuntime
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
 from onika.desk.environment.reconcile.runtime_loss import lost
-from onika.wire import act, event, live, request
+from onika.wire import act, event, request
 from onika.words.reason import Reason
 
 CMU = "wss://cmu.example:7994"
@@ -56,19 +56,6 @@ def test_a_station_that_is_lost_ends_the_runs_there_alone(play):  # R-E10, R-F02
     play.run(there)
     play.environment.become(lambda model: lost(model, Reason.plain("the cable")), "cmu")
     assert [run.view.name for run in play.environment.model.going] == ["play"]
-
-
-def test_flows_that_wait_for_each_other_at_two_stations_are_refused_with_the_tag(play):  # R-E12, R-F02
-    doc = play.open(
-        [job("aC", "Complete job", "SYNCHTAG meet"), job("aC")],
-        [job("bC", "Complete job", "SYNCHTAG meet")],
-        parallel=True,
-    )
-    play.do(act.PlaceFlow(doc, "flow1", "cmu"))
-    no = play.no(act.Run(doc))
-    assert "flow1 at cmu" in str(no.reason) and "tag meet" in str(no.reason) and "nobody says go" in str(no.reason)
-    assert [remedy.act for remedy in no.remedies] == [act.PlaceFlow(doc, "", ""), act.PlaceFlow(doc, "", "cmu")]
-    assert not request_at(play, "cmu", live.Take)
 
 
 def test_a_flow_that_is_none_and_a_station_that_is_none_are_refused(play):  # R-X01

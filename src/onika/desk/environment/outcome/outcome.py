@@ -134,6 +134,14 @@ class Ask(InterimModel):
     """None: asked only where a runtime is there."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class AskAll(InterimModel):
+    """Requests to runtimes of several stations at one time: the act goes on with all responses, in the same order."""
+
+    requests: tuple[tuple[str, Request], ...]
+    """Each with its station."""
+
+
 class Worker(Protocol):
     """A thread that works aside."""
 

@@ -132,7 +132,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         return prepared_here
     model, prepared, changed = prepared_here
     troubles = FaultViews.of(opened, syntax, prepared, outside.site)
-    complaint = refused(opened, tuple(troubles.views(prepared))) or flow_stations.refused(opened, prepared.plan)
+    complaint = refused(opened, tuple(troubles.views(prepared)))
     if complaint is not None:
         return complaint
     if prepared.plan is None:
@@ -159,6 +159,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
         unsaved=is_unsaved,
         stations=flow_stations.apart(opened, prepared.plan),
+        together=flow_stations.together(opened, prepared.plan),
     )
 
 

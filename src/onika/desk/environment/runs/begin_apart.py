@@ -1,15 +1,15 @@
 """Beginning an application whose flows are carried out at several stations: each has its part, in one account (E12).
 
-All are asked what there is, and to look at their part, before any begins. They begin one after the other, and do not
-wait for each other: flows that would have to meet are refused before.
+All are asked what there is, and to look at their part, before any begins. Where flows of several stations have a tag in
+common, their runtimes learn of each other, and meet there by rendezvous (decision 56); then all flows begin together.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import Ask, InterimModel, No, RequiredRuntime, Steps
+from onika.desk.environment.outcome.outcome import Ask, AskAll, InterimModel, No, RequiredRuntime, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.reconcile.merge import runtime_view
@@ -20,13 +20,19 @@ from onika.desk.environment.runs.obstacles import obstacles
 from onika.desk.environment.runs.readiness_refusal import refused_by_runtime
 from onika.desk.environment.runs.run_start import RunStart, aborts
 from onika.desk.environment.state.model import Model
-from onika.desk.plan.plan_part import flows_of, part_of, targets_of
+from onika.desk.joined import meeting_links
+from onika.desk.plan.plan_part import flows_of, part_of
+from onika.desk.plan.plan_parts import BEGIN, PlanPart, parts_of, shared_tags
 from onika.desk.plan.subsystem_renaming import rehoused
 from onika.desk.run.runtime_conversation import in_short
+from onika.link.starting.runtime_address import address_of
 from onika.wire import live, request
 from onika.wire.plan import Plan
+from onika.wire.rendezvous_link import MeetingTerms
 from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
+
+_HERE = "127.0.0.1"
 
 
 def begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
@@ -44,17 +50,60 @@ def begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
         homes |= free
     start = replace(start, plan=rehoused(start.plan, homes))
     model = replace(model.at(""), run=_shown(model, start, parts))
-    for part in parts:
-        wish = request.Prepare(part_of(start.plan, part.flows), targets_of(start.targets, part.flows))
+    plans = _planned(start, parts)
+    for part, planned in zip(parts, plans, strict=True):
+        wish = request.Prepare(planned.plan, planned.targets(start.targets))
         model, response = yield Ask(model.at(part.station), wish)
         if not isinstance(response, request.Prepared) or response.faults:
             return model.at(""), refused_by_runtime(start.troubles, response)
-    return (yield from _begin(model, start, parts))
+    if not shared_tags(plans):
+        return (yield from _begin(model, start, parts, None))
+    model, terms = yield from _linked(model, parts, plans)
+    if isinstance(terms, Reason):
+        return model.at(""), No(Reason.of("run.does_not_run", name=start.name, why=terms), start.together)
+    if model.run is not None:
+        titles = [called(part.station) for part in parts]
+        model = replace(model, run=model.run.noted(meeting_links.note(terms, titles)))
+    return (yield from _begin(model, start, parts, terms))
 
 
-def _begin(model: Model, start: RunStart, parts: tuple[RunPart, ...]) -> Steps[tuple[Model, No | None]]:
+def _linked(
+    model: Model, parts: tuple[RunPart, ...], plans: Sequence[PlanPart]
+) -> Steps[tuple[Model, MeetingTerms | Reason]]:
+    """Have the runtimes learn of each other: the terms on which they meet, or why they cannot."""
+    stations = [part.station for part in parts]
+    hosts = [_host(model.at(station)) for station in stations]
+    steps = meeting_links.linking(plans, [str(called(station)) for station in stations], hosts)
+    requests = next(steps)
+    while True:
+        wishes = tuple(zip(stations, requests, strict=True))
+        model, responses = yield AskAll(model.at(""), wishes)
+        try:
+            requests = steps.send(responses)
+        except StopIteration as end:
+            return model, end.value
+
+
+def _planned(start: RunStart, parts: tuple[RunPart, ...]) -> Sequence[PlanPart]:
+    """The plan of each part; where some would wait for others, all begin at a tag of their own."""
+    sites = {start.plan.flows[flow].subsystem: site for site, part in enumerate(parts) for flow in part.flows}
+    plans = parts_of(start.plan, sites)
+    if any(shared.tag != BEGIN for shared in shared_tags(plans)):
+        return plans
+    return [PlanPart(part_of(start.plan, part.flows), part.flows) for part in parts]
+
+
+def _host(model: Model) -> str:
+    """Where the runtime of the station in focus is; one that was started here is on this machine."""
+    url = model.runtime.address
+    return address_of(url).host if url else _HERE
+
+
+def _begin(
+    model: Model, start: RunStart, parts: tuple[RunPart, ...], terms: MeetingTerms | None
+) -> Steps[tuple[Model, No | None]]:
     for number, part in enumerate(parts):
-        begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss)
+        begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss, meets=terms)
         model, response = yield Ask(model.at(part.station), begin)
         if isinstance(response, request.Done):
             continue

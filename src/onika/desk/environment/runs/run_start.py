@@ -13,6 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
+from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
 
@@ -38,6 +39,8 @@ class RunStart:
     """Why it does not run with that, where nothing is taken over."""
     stations: Mapping[str, str] = field(default_factory=dict)
     """Where its flows are carried out, by subsystem; empty: all at the station in focus."""
+    together: tuple[Remedy, ...] = ()
+    """Ways to have all of them at one, where they cannot meet."""
 
     def run(self, model: Model) -> Run:
         """The run as it is shown before it has begun."""
