@@ -34,6 +34,7 @@ COMMANDS = (
     "site",
     "recording",
     "share",
+    "report",
     "console",
     "check",
     "new",

@@ -17,7 +17,7 @@ import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
-from mcap.records import Attachment, Channel, Metadata
+from mcap.records import Attachment, Channel, Metadata, Schema
 from msgspec import MsgspecError
 
 from onika.record.stored import StoredFile, unfit
@@ -96,6 +96,7 @@ class Reader:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.channels: dict[str, Channel] = {}
+        self.schemas: dict[int, Schema] = {}
         self.notes: dict[str, dict[str, str]] = {}
         self.is_whole = False
         """Whether it came to its end; else it was cut short."""
@@ -213,6 +214,9 @@ class Reader:
 
     def _take(self, opcode: int, at: int, length: int) -> None:
         match opcode:
+            case Opcode.SCHEMA:
+                schema = Schema.read(self._stream(at, length))
+                self.schemas[schema.id] = schema
             case Opcode.CHANNEL:
                 channel = Channel.read(self._stream(at, length))
                 self.channels[channel.topic] = channel
