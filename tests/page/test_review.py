@@ -220,3 +220,14 @@ def test_one_that_was_cut_short_says_so_and_the_first_difference_of_two_is_named
     expect(bar(user).get_by_role("alert")).to_have_text("A number, 0 or more.")
     bar(user).get_by_role("button", name="Show only one").click()
     expect(user.get_by_role("region", name="The other run")).to_have_count(0)
+
+
+def test_a_recording_that_is_looked_at_is_saved_as_one_file(user, tmp_path):  # R-X21: Share… in the page
+    open_one(user)
+    with user.expect_download() as saved:
+        bar(user).get_by_role("button", name="Share…").click()
+    assert saved.value.suggested_filename == NAME.replace(".mcap", ".html")
+    saved.value.save_as(tmp_path / "run.html")
+    text = (tmp_path / "run.html").read_text()
+    assert 'id="run"' in text and len(text) < 5_000_000
+    expect(user.get_by_text("It plays in any browser.")).not_to_have_count(0)
