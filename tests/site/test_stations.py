@@ -12,15 +12,14 @@ from pathlib import Path
 
 import pytest
 
+from kit.labs.laboratory import Laboratory, job, target
 from kit.labs.small_tasks import small_laboratory
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
+from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
-from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.stations import Stations
-from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.wire import act, event
 
@@ -61,11 +60,14 @@ class Sites:
 
     def __init__(self, folder):
         lab = small_laboratory(folder / "bench")
+        pause = [job("pauseC", "Pause job"), target("for_a_while", "Pause object", "0.5")]
+        tagged = [job("pauseC", "Pause job", "SYNCHTAG meet"), target("for_a_while", "Pause object", "0.2")]
+        Laboratory(lab.path).application("three", [*pause, *tagged], [*pause, *tagged], pause * 4, parallel=True)
         site = open_site([lab.path], {}, None)
         self.there = {name: There(folder / name) for name in NAMES}
         self.things, self.says, self.heard = queue.Queue(), [], []
         self.stations = Stations(RuntimeLauncher(), self.things.put, time.monotonic)
-        model = Model(OpenLibraries(open_libraries(site.directories)))
+        model, _ = opened(site, None, {})
         self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.stations)
         self.environment.listeners.append(self)
         self.stations.begin(self.environment)
@@ -145,6 +147,33 @@ def test_where_one_of_three_runtimes_is_cut_off_the_others_lose_nothing_and_stop
     assert time.monotonic() - begin < 1.0 and "livermore" in str(answer)
     sites.there["livermore"].mended()
     sites.until(lambda: sites.environment.tree.stations["livermore"].is_stopped)
+
+
+def test_of_a_run_at_three_runtimes_two_meet_while_the_third_is_cut_off_and_stop_reaches_all(
+    sites,
+):  # R-E12, R-F02, law 27, law 28
+    doc = sites.do(act.Open("three"))
+    for flow, name in enumerate(NAMES):
+        sites.do(act.PlaceFlow(doc, f"flow{flow}", name))
+    sites.do(act.Run(doc))
+    flows = sites.environment.tree.run.flows
+    assert [flow.station for flow in flows.values()] == list(NAMES)
+
+    def done():
+        return [flow.done for flow in sites.environment.tree.run.flows.values()]
+
+    sites.until(lambda: done()[:2] == [1, 1])  # all have begun together
+    sites.there["livermore"].cut()
+    sites.until(lambda: done()[:2] == [2, 2])  # they have met at the tag
+    sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
+    assert sites.environment.tree.run.state == "running"
+    assert [sites.environment.tree.stations[name].is_cut for name in NAMES] == [False, False, True]
+    assert "livermore" in str(sites.do(act.Stop()))
+    sites.until(lambda: all(sites.environment.tree.stations[name].is_stopped for name in NAMES[:2]))
+    sites.there["livermore"].mended()
+    sites.until(lambda: sites.environment.tree.stations["livermore"].is_stopped)
+    sites.until(lambda: sites.environment.tree.run.state == "over")
+    assert not sites.environment.tree.run.is_completed and "livermore" in str(sites.environment.tree.run.cause)
 
 
 @pytest.mark.slow

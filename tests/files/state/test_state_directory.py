@@ -67,6 +67,8 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         "staying.log",
         "bookings",
         "address-book",
+        "sites",
+        "page-users",
         "audit",
         "audit/audit.log",
         "diary",
