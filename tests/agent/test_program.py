@@ -1,6 +1,7 @@
 """A site as a process: it launches what is listed, hands it over, and ends with all that it has launched."""
 
 import os
+import shutil
 import signal
 import subprocess
 from pathlib import Path
@@ -15,6 +16,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.starting.site_address import SiteAddress
 from onika.link.starting.site_client import SiteClient
 from onika.wire import live, request
+from onika.wire.runtime_standing import Standing
 
 pytestmark = pytest.mark.site
 
@@ -75,4 +77,22 @@ def test_a_site_that_is_killed_leaves_nothing_that_moves(tmp_path):  # R-A15 R-X
     until = monotonic() + _PATIENCE_S
     while any(Path(f"/proc/{pid}/cwd").exists() for pid in below):
         assert monotonic() < until
+    site.end()
+
+
+def test_over_tls_the_runtime_is_reached_over_tls_with_the_same_token(tmp_path):  # R-A15 R-X12
+    if shutil.which("openssl") is None:
+        pytest.skip("there is no openssl to make a certificate with")
+    cert, key = tmp_path / "cert.pem", tmp_path / "key.pem"
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
+                    "-days", "2", "-subj", "/CN=onika", "-addext", "subjectAltName=DNS:localhost",
+                    "-keyout", str(key), "-out", str(cert)], check=True, capture_output=True)  # fmt: skip
+    secured = ("--listen", "0.0.0.0:0", "--cert", str(cert), "--key", str(key), "--host-name", "localhost")
+    site = SiteProcess(tmp_path / "tls", "tls", more=secured)
+    url = f"site://localhost:{site.place.rpartition(':')[2]}/arm?tls"
+    with connect(url, "ann", cert) as runtime:
+        assert isinstance(runtime.ask(live.Survey()), Standing)
+    with pytest.raises(LinkLost) as untrusted:
+        SiteClient(SiteAddress.parse(url), "ann").card()
+    assert untrusted.value.cause is LossCause.CERTIFICATE
     site.end()
