@@ -8,7 +8,7 @@ import pytest
 from kit.fabric.announced_site import AnnouncedSite
 from onika.fabric.place import RouterPlace
 from onika.fabric.router_cards import router_cards
-from onika.fabric.zenoh_program import announce, main, route, settings
+from onika.fabric.zenoh_program import CARDS, announce, main, route, settings, shards
 
 
 def test_the_open_defaults_of_zenoh_are_shut():  # R-F06
@@ -19,6 +19,14 @@ def test_the_open_defaults_of_zenoh_are_shut():  # R-F06
     lasting = settings("client", is_lan=True)
     assert (lasting["connect/timeout_ms"], lasting["connect/exit_on_failure"]) == (-1, False)
     assert lasting["scouting/multicast/enabled"] is True
+
+
+def test_few_cards_are_asked_for_at_a_time_and_all_of_them():  # R-F06
+    assert shards(()) == []
+    assert shards(f"{number:032x}" for number in range(50)) == [f"{CARDS}/*"]
+    names = [f"{number * 0x01000000:08x}" for number in range(256)]
+    assert shards(names) == [f"{CARDS}/{digit}$*" for digit in "0123456789abcdef"]
+    assert len(shards(f"00000{number}" for number in range(200))) == 1  # names that somebody made up
 
 
 def free_port():

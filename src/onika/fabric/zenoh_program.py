@@ -9,6 +9,7 @@ import base64
 import json
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -23,6 +24,10 @@ PORT = 7447
 _LEASE_MS = 2000
 _MOST_SESSIONS = 5000
 _MOST_PENDING = 500
+_FEW = 50
+"""Cards that are asked for at a time."""
+_LONGEST_PREFIX = 4
+_TRIES = 3
 
 
 def settings(
@@ -81,21 +86,50 @@ def announce(
 
 
 def listed(place: str, waits_s: float, file: Path | None = None) -> Iterable[bytes]:
-    """The signed cards that are answered for at a router, at most so many; raises OSError."""
+    """The signed cards that are answered for at a router, at most so many; raises OSError.
+
+    What a router cannot pass on at once it drops: few are asked for at a time, and those that are lacking again.
+    """
+    with session(settings("client", [place] if place else [], is_lan=not place, waits_s=waits_s), file) as connection:
+        until_s = time.monotonic() + waits_s
+        tokens = connection.liveliness().get(f"{HERE}/*", timeout=waits_s)
+        lacking = {_name(reply.ok.key_expr) for reply, _ in zip(tokens, range(MOST_CARDS), strict=False) if reply.ok}
+        for _ in range(_TRIES):
+            for asked in shards(lacking):
+                for name, content in _answers(connection, asked, until_s - time.monotonic()):
+                    if name in lacking:
+                        lacking.discard(name)
+                        yield content
+
+
+def shards(names: Iterable[str], prefix: str = "") -> list[str]:
+    """Expressions that name these cards, few by each; none where there are no names."""
+    here = sorted(name for name in set(names) if name.startswith(prefix))
+    if not here:
+        return []
+    if len(here) <= _FEW or len(prefix) >= _LONGEST_PREFIX:
+        return [f"{CARDS}/{prefix}$*" if prefix else f"{CARDS}/*"]
+    digits = sorted({name[len(prefix) : len(prefix) + 1] for name in here} - {""})
+    return [shard for digit in digits for shard in shards(here, prefix + digit)]
+
+
+def _answers(connection: Any, asked: str, left_s: float) -> Iterable[tuple[str, bytes]]:
+    """Cards by their names, as they come; none where there is no time left."""
     import zenoh
 
-    with session(settings("client", [place] if place else [], is_lan=not place, waits_s=waits_s), file) as connection:
-        count = 0
-        drop, each = zenoh.CongestionControl.DROP, zenoh.ConsolidationMode.NONE
-        for reply in connection.get(f"{CARDS}/*", timeout=waits_s, congestion_control=drop, consolidation=each):
-            if reply.ok is None:
-                continue
-            content = bytes(reply.ok.payload)
-            if len(content) <= LARGEST:
-                count += 1
-                yield content
-            if count >= MOST_CARDS:
-                return
+    if left_s <= 0:
+        return
+    drop, each = zenoh.CongestionControl.DROP, zenoh.ConsolidationMode.NONE
+    for reply in connection.get(asked, timeout=left_s, congestion_control=drop, consolidation=each):
+        if reply.ok is None:
+            continue
+        content = bytes(reply.ok.payload)
+        if len(content) <= LARGEST:
+            yield _name(reply.ok.key_expr), content
+
+
+def _name(key: object) -> str:
+    return str(key).rpartition("/")[2]
 
 
 def main(words: Sequence[str]) -> int:
