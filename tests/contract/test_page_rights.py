@@ -16,21 +16,24 @@ from onika.web.access.entrance import Visitor
 from onika.web.hub import Hub
 from onika.wire import act, page
 
-WATCHER = """Stop Watch Scene Meshes SampleVariables Company Glance RecordedScene Course"""
+WATCHER = """Stop Watch Scene Meshes SampleVariables Company LookAtBookings Glance RecordedScene Course"""
 OPERATOR = """Open OpenInPlace Peek Close Check ListSets Note Connect AddStation PlaceFlow RemoveStation Disconnect
 KeepAlive SwitchTo LetGo Turn Toggle TurnGroup Clear Reinit FindRoom AskModule TellModule WriteVariable
 CheckMemory LogReadings Answer Push Reset AddUnit RecordByHand Take Release Hand Decline OnlyWatch
-WatchNoMore SteerTaken Run Redirect Seats FindWorlds Steer SkipTo Dismiss PutBack Preflight
-ForeseenInstant WhatIf Teach PointAt FitTargets OpenRecording CloseRecording Recordings CompareWith"""
+WatchNoMore SteerTaken BookRobot ProlongBooking TakeBackBooking
+Run Redirect Seats FindWorlds Steer SkipTo Dismiss PutBack Preflight
+ForeseenInstant WhatIf Teach PointAt FitTargets OpenRecording CloseRecording Recordings CompareWith
+ShareRecording"""
 PROGRAMMER = """New Save Reload Keep Undo Redo Place Exchange Remove Move Flip Align Arrange Show Copy Cut Paste Group
 Ungroup SaveGroup Insert Rate Unit OpenLibrary CloseLibrary Alias LibraryRate Local KeepSet SwitchSet
 RemoveSet SaveTask ForgetTask ReadText WriteText NewModule ArrangeTask ArrangeIcon LoadModule
-CompareWithShipped GoBackToShipped ListReplaced BringBack ListRemoteLibraries BrowseLibrary Renew Draft
+CompareWithShipped GoBackToShipped ListReplaced BringBack ListRemoteLibraries BrowseLibrary LookAtNetwork
+Renew Draft
 MakeJob Prefer Press Halt NewApplication InsertIcon InsertBranch SetConditions ExchangeIcon RemoveIcons
 MoveIcons CopyIcons CutIcons PasteIcons EditIcon SetBreakpoint SetSynchTag SetLoop RepeatSteps
 RemoveLoop AddFlow RemoveFlow SetParallel OpenDictionary CloseDictionary MakeTarget EditOnikon
 RemoveOnikon Continue KeepTest"""
-OWNER = """StartAnew SetButton TakeLibrary DropLibrary"""
+OWNER = """StartAnew SetButton TakeLibrary DropLibrary AddPlace DropPlace TrustSite"""
 ROWS = dict(zip(Role, (WATCHER, OPERATOR, PROGRAMMER, OWNER), strict=True))
 KINDS = get_args(act.AnyAct)
 
