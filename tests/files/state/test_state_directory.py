@@ -69,8 +69,6 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         "sites",
         "page-users",
         "address-book",
-        "sites",
-        "page-users",
         "audit",
         "audit/audit.log",
         "diary",
