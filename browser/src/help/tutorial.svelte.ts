@@ -4,18 +4,31 @@ import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
-import { LESSONS, skippedWith, type LessonId, type Seen } from './tutorial'
+import { COURSES, type CourseId } from './courses'
+import { skippedWith, type Lesson, type LessonId, type Seen } from './tutorial'
 
 /** What was skipped counts as passed, but gets no tick. */
-export const tutorial: { isOpen: boolean; done: number; skipped: readonly LessonId[] } = $state({
+export const tutorial: { isOpen: boolean; course: CourseId; done: number; skipped: readonly LessonId[] } = $state({
   isOpen: kept('tutorialOpen', false),
+  course: 'first',
   done: kept('tutorial', 0),
   skipped: kept<LessonId[]>('tutorialSkipped', []),
 })
 
+/** Of each course is kept how far one is; of the first under the bare names. */
+const kindOf = (name: string): string => (tutorial.course === 'first' ? name : `${name}.${tutorial.course}`)
+export const lessons = (): readonly Lesson[] => COURSES[tutorial.course]
+
+/** Go on in another course where it was left. */
+export function choose(course: CourseId): void {
+  tutorial.course = course
+  tutorial.done = kept(kindOf('tutorial'), 0)
+  tutorial.skipped = kept<LessonId[]>(kindOf('tutorialSkipped'), [])
+}
+
 /** Open it at the upper level; from the beginning where it was done to its end. */
 export function startTutorial(): void {
-  if (tutorial.done >= LESSONS.length) beginAgain()
+  if (tutorial.done >= lessons().length) beginAgain()
   setOpen(true)
   goTo('applications')
 }
@@ -28,8 +41,8 @@ export function setOpen(isOpen: boolean): void {
 
 /** So many lessons are done. */
 export function setDone(done: number): void {
-  tutorial.done = Math.max(0, Math.min(done, LESSONS.length))
-  keep('tutorial', tutorial.done)
+  tutorial.done = Math.max(0, Math.min(done, lessons().length))
+  keep(kindOf('tutorial'), tutorial.done)
 }
 
 /** From the beginning: nothing is done, and nothing skipped. */
@@ -39,14 +52,14 @@ export function beginAgain(): void {
 }
 
 export function skip(): void {
-  const left = skippedWith(tutorial.done)
+  const left = skippedWith(tutorial.done, lessons())
   setSkipped([...tutorial.skipped, ...left])
   setDone(tutorial.done + left.length)
 }
 
 function setSkipped(skipped: readonly LessonId[]): void {
   tutorial.skipped = skipped
-  keep('tutorialSkipped', skipped)
+  keep(kindOf('tutorialSkipped'), skipped)
 }
 
 export const seen = (): Seen => ({

@@ -1,7 +1,10 @@
 // The tutorial: a few deeds, each seen to be done by what is there afterwards.
 import type { ApplicationView, RunView, StepView, TypeView } from '../api.gen'
 
-export type LessonId = 'new' | 'complete' | 'job' | 'fill' | 'out' | 'back' | 'run' | 'pause' | 'goOn' | 'end' | 'save'
+type OfCourses =
+  'twoActions' | 'loop' | 'loopRun' | 'branch' | 'branchFlows' | 'branchRun' | 'twoFlows' | 'tags' | 'meet'
+export type LessonId =
+  'new' | 'complete' | 'job' | 'fill' | 'out' | 'back' | 'run' | 'pause' | 'goOn' | 'end' | 'save' | OfCourses
 
 /** What is seen while it goes on. */
 export interface Seen {
@@ -13,7 +16,7 @@ export interface Seen {
   types: Readonly<Record<string, TypeView>>
 }
 
-interface Lesson {
+export interface Lesson {
   id: LessonId
   /** The lesson before, of which it makes sense only if that was done. */
   goesWith?: LessonId
@@ -26,6 +29,11 @@ const NAMED = { complete: 'opengripC', job: 'jmoveC' }
 const TAKING_OUT = ['desk.deleting', 'desk.cutting']
 
 const kindOf = (step: StepView): string => step.kind ?? 'icon'
+export const isJob = (step: StepView): boolean => kindOf(step) === 'icon' && step.role === 'job'
+
+/** The steps of each flow that is within no branch. */
+export const topFlowsOf = ({ view }: Seen): (readonly number[])[] =>
+  Object.entries(view?.flows ?? {}).flatMap(([path, { steps = [] }]) => (path.includes('/') ? [] : [steps]))
 
 /** The steps of the first flow, in order. */
 function steps({ view }: Seen): StepView[] {
@@ -50,7 +58,7 @@ const isRunning = (seen: Seen): boolean => isMine(seen) && (seen.run?.state ?? '
 const isPaused = (seen: Seen): boolean =>
   isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')
 const isOver = (seen: Seen): boolean => isMine(seen) && seen.run?.state === 'over'
-const isCompleted = (seen: Seen): boolean => isOver(seen) && seen.run?.is_completed === true
+export const isCompleted = (seen: Seen): boolean => isOver(seen) && seen.run?.is_completed === true
 
 /** Whether what was done last took something out; whether what was taken back last did. */
 const wasTakenOut = ({ view }: Seen): boolean => TAKING_OUT.includes(view?.undo?.key ?? '')
@@ -71,15 +79,15 @@ export const LESSONS: readonly Lesson[] = [
 ]
 
 /** How many lessons are done now, where so many were done before: one after the other, and what was done stays done. */
-export function advanced(done: number, seen: Seen): number {
+export function advanced(done: number, seen: Seen, lessons: readonly Lesson[] = LESSONS): number {
   let at = done
-  while (at < LESSONS.length && LESSONS[at]!.isDone(seen)) at += 1
+  while (at < lessons.length && lessons[at]!.isDone(seen)) at += 1
   return at
 }
 
 /** Which lessons are left out where the one at this place is skipped: it, and what only goes on from it. */
-export function skippedWith(at: number): LessonId[] {
-  const [lesson, next] = [LESSONS[at], LESSONS[at + 1]]
+export function skippedWith(at: number, lessons: readonly Lesson[] = LESSONS): LessonId[] {
+  const [lesson, next] = [lessons[at], lessons[at + 1]]
   if (!lesson) return []
   return next?.goesWith === lesson.id ? [lesson.id, next.id] : [lesson.id]
 }
