@@ -21,6 +21,8 @@ OF_THE_PAGE |= {
     act.RecordedScene,
     act.SampleVariables,
     act.ForeseenInstant,
+    act.LookAtBookings,
+    act.LookAtNetwork,
     act.Push,
 }
 """What a page asks for by itself, as it shows something; of a pad that leads it notes who takes it."""
