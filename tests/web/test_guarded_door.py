@@ -59,8 +59,8 @@ def test_it_says_where_it_is_and_writes_that_down(door):  # R-F10
 
 def test_what_users_do_is_written_down_and_what_is_no_users_is_not(door):  # R-X12
     (observe,) = door.observers
-    observe(act.Reset(), "ann 1", ActAnswer())
-    observe(act.Reset(), "Onika", ActAnswer())
+    observe(act.Reset(), "ann 1")(ActAnswer())
+    observe(act.Reset(), "Onika")(ActAnswer())
     (denial,) = door.hub.denials
     denial(Visitor("wil", Role.VIEWER), act.Save("c1"))
     assert [(line["what"], line["who"]) for line in door.lines()] == [("Reset", "ann"), ("Save", "wil")]

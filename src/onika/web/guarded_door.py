@@ -5,6 +5,7 @@ import os
 import socket
 import ssl
 from collections.abc import Callable
+from functools import partial
 
 from onika.desk.environment.environment import ActAnswer, Environment
 from onika.files.trail import usual_path
@@ -44,7 +45,7 @@ class GuardedDoor:
         users.look()
         self.entrance = SignIn(place.names, self._port, users, self._trail)
         hub.denials.append(self._trail.denied)
-        environment.observers.append(self._acted)
+        environment.observers.append(lambda command, by: partial(self._acted, command, by))
 
     @property
     def context(self) -> ssl.SSLContext:

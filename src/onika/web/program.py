@@ -26,6 +26,7 @@ from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runs import readiness
 from onika.desk.environment.runs.forecaster import Forecaster
 from onika.desk.environment.runs.readiness import ReadinessJudge
+from onika.desk.environment.session_start import SessionStart
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.stations import Stations
 from onika.desk.environment.world_channel import WorldChannel
@@ -138,11 +139,11 @@ class EnvironmentProgram:
             door = GuardedDoor(place, listening, on_ready, environment, hub)
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
-        self._open(environment)
         diary = self._diary(environment)
+        self._open(environment)
         beside = (
             self._show(hub),
-            self._look(environment, disk),
+            self._look(environment, disk, diary),
             self._keep(environment, kept, autosave),
             self._judge(environment),
             self._foresee(environment, forecaster),
@@ -195,8 +196,10 @@ class EnvironmentProgram:
     def _diary(self, environment: Environment) -> Diary | None:
         if not self._options.has_diary:
             return None
-        diary = Diary(self._state / "diary", lambda: environment.model, environment.say)
+        start = SessionStart(self._site)
+        diary = Diary(self._state / "diary", lambda: environment.model, environment.say, start=start)
         environment.observers.append(diary.observe)
+        environment.listening.append(diary.hear)
         environment.followers.append(diary.follow)
         return diary
 
@@ -237,12 +240,14 @@ class EnvironmentProgram:
             await asyncio.sleep(_FRAME_S if hub.is_watching else 0.1)
             hub.pump()
 
-    async def _look(self, environment: Environment, disk: DiskWatch) -> None:
+    async def _look(self, environment: Environment, disk: DiskWatch, diary: Diary | None) -> None:
         """Files that others change."""
         while True:
             await asyncio.sleep(_LOOK_S)
             changed = await asyncio.to_thread(disk.changed, environment.model)
             if changed:
+                if diary is not None:
+                    diary.look(changed)
                 environment.become(partial(refresh.refreshed, changed=changed, site=self._site))
 
     async def _judge(self, environment: Environment) -> None:

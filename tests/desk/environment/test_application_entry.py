@@ -18,7 +18,7 @@ def line_of(gallery, request):
     names.look(gallery.environment.model, (doc,))
     answer = gallery.answer(request)
     names.look(gallery.environment.model, (doc, str(answer.value)))
-    return entries(request, answer, names.known)[0].line(1.0).split("\t")[1:]
+    return list(entries(request, answer, names.names)[0].columns(1.0)[1:])
 
 
 def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
@@ -84,7 +84,7 @@ def test_of_what_is_gone_the_name_is_still_known_and_a_flow_is_read_once(gallery
     number = gallery.number(doc, "grip")
     gallery.do(act.RemoveIcons(doc, (number,)))
     names.look(gallery.environment.model, (doc,))
-    assert names.known[f"{doc}/{number}"] == "grip"
-    names.known[f"{doc}/{gallery.number(doc, 'open')}"] = "as it was read"
+    assert names.names[f"{doc}/{number}"] == "grip"
+    names.names[f"{doc}/{gallery.number(doc, 'open')}"] = "as it was read"
     names.look(gallery.environment.model, (doc,))
-    assert "as it was read" in names.known.values()
+    assert "as it was read" in names.names.values()

@@ -5,9 +5,13 @@ import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.diary import Diary
+from onika.desk.environment.environment import ActAnswer
+from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.run import begun
-from onika.wire import act
+from onika.desk.environment.session_start import SessionStart
+from onika.files.state import session_log
+from onika.wire import act, event, request
 from onika.wire.plan import Plan
 from onika.words.reason import Reason
 
@@ -71,7 +75,7 @@ def test_a_run_is_written_down_when_it_ends_and_once(sitting, tmp_path):  # R-H0
     for before, after in pairwise(changes):
         diary.follow(before, after)
     diary.close()
-    text = [line.split("\t")[1:] for line in diary.path.read_text().splitlines()]
+    text = [line.split("\t")[1:7] for line in diary.path.read_text().splitlines()]
     assert [line for line in text if line[0] == "end_appl"] == [
         ["end_appl", "assemble", "a1", "it was stopped", "1", "appl"],
         ["end_appl", "assemble", "a1", "completed", "2", "appl"],
@@ -93,7 +97,7 @@ def test_what_was_taken_back_stands_in_the_diary(sitting, tmp_path):  # R-H01, R
     sitting.do(act.Undo(""))
     sitting.do(act.Redo(""))
     diary.close()
-    text = [line.split("\t")[1:] for line in diary.path.read_text().splitlines()]
+    text = [line.split("\t")[1:7] for line in diary.path.read_text().splitlines()]
     assert [line[3:5] for line in text if line[0] in ("undo", "redo")] == [[label.text, label.key]] * 2
 
 
@@ -118,14 +122,14 @@ def test_where_it_cannot_be_written_that_is_said_once_and_acts_go_on(sitting, tm
 
 
 def test_a_file_is_bounded_and_the_session_goes_on_in_a_next_one(sitting, tmp_path):  # R-H01
-    diary = Diary(tmp_path, lambda: sitting.environment.model, sitting.say, lambda: 770908202.0, limit=300)
+    diary = Diary(tmp_path, lambda: sitting.environment.model, sitting.say, lambda: 770908202.0, limit=700)
     sitting.environment.observers.append(diary.observe)
     for _ in range(12):
         sitting.do(act.New())
     diary.close(30)
     files = list(tmp_path.glob("*.log"))
     acts = [line.split("\t")[1] for path in files for line in path.read_text().splitlines()[1:]]
-    assert len(files) > 1 and all(path.stat().st_size < 600 for path in files)
+    assert len(files) > 1 and all(path.stat().st_size < 1400 for path in files)
     assert sorted(acts) == sorted(["Start_Onika", *["new_conf"] * 12, "Quit_Onika"])
     assert all(path.stat().st_mode & 0o077 == 0 for path in files)
 
@@ -136,3 +140,54 @@ def test_of_all_sessions_the_newest_files_are_kept(sitting, tmp_path):  # R-H01
     diary = Diary(tmp_path, lambda: sitting.environment.model, sitting.say, kept=3)
     diary.close(30)
     assert {path.name for path in tmp_path.iterdir()} == {"3.log", "4.log", diary.path.name}
+
+
+def read_log(diary):
+    lines, faults = session_log.read(diary.path.read_text(), diary.path.name)
+    assert faults == ()
+    return lines
+
+
+def test_an_act_has_its_place_when_it_begins_and_its_line_when_it_ends(sitting, tmp_path):  # R-H08
+    diary = kept(sitting, tmp_path)
+    begun = diary.observe(act.New(), "me")
+    diary.hear("", "Prepare", request.Done())
+    begun(ActAnswer("c1"))
+    diary.close()
+    assert [line.event for line in read_log(diary)] == ["Start_Onika", "new_conf", "runtime_reply", "Quit_Onika"]
+    assert [line.split("\t")[1] for line in diary.path.read_text().splitlines()[2:4]] == ["runtime_reply", "new_conf"]
+
+
+def test_what_a_runtime_has_told_and_that_it_was_lost_stand_in_the_diary(sitting, tmp_path):  # R-H08
+    diary = kept(sitting, tmp_path)
+    sitting.environment.listening.append(diary.hear)
+    sitting.environment.followers.append(diary.follow)
+    sitting.environment.receive(event.Stopped(True, Reason.plain("a hand")))
+    sitting.environment.become(lambda model: runtime_loss.lost(model, Reason.plain("gone")))
+    diary.close()
+    _, stopped, lost, _ = read_log(diary)
+    assert (stopped.event, stopped.object, stopped.record["event"]["is_stopped"]) == ("runtime_event", "Stopped", True)
+    assert (lost.event, lost.record["lost"]["text"]) == ("runtime_lost", "gone")
+
+
+def test_what_others_have_written_stands_in_the_diary(sitting, tmp_path):  # R-H08
+    path = tmp_path / "conf" / "a.conf"
+    path.parent.mkdir()
+    path.write_text("VERSION 1\n")
+    diary = Diary(tmp_path / "diary", lambda: sitting.environment.model, sitting.say, start=SessionStart(sitting.site))
+    diary.look([path, tmp_path / "conf" / "gone.conf"])
+    diary.close()
+    _, written, gone, _ = read_log(diary)
+    assert (written.record["file"], written.record["text"]) == ("{base0}/conf/a.conf", "VERSION 1\n")
+    assert not gone.record["is_there"] and "text" not in gone.record
+
+
+def test_what_was_done_while_no_diary_was_wanted_is_told_as_a_gap(sitting, tmp_path):  # R-H08, R-H01
+    diary = kept(sitting, tmp_path)
+    sitting.do(act.Prefer({"keeps_diary": False}))
+    sitting.do(act.New())
+    sitting.do(act.Prefer({"keeps_diary": True}))
+    diary.close()
+    lines, faults = session_log.read(diary.path.read_text(), "d")
+    assert not any(line.event == "new_conf" for line in lines)
+    assert [fault.reason.key for fault in faults] == ["replay.lines_lack"]

@@ -78,7 +78,11 @@ def test_every_step_is_told_by_its_label(tmp_path):  # R-X10
 
 def test_an_observer_is_told_of_every_act_and_its_end(tmp_path):  # R-H01
     sitting, seen = EnvironmentFixture(tmp_path, TASKS), []
-    sitting.environment.observers.append(lambda wish, by, given: seen.append((type(wish), by, given.no is None)))
+
+    def observe(wish, by):
+        return lambda given: seen.append((type(wish), by, given.no is None))
+
+    sitting.environment.observers.append(observe)
     sitting.do(act.New(), by="anna")
     sitting.no(act.Undo("c1"))
     assert seen == [(act.New, "anna", True), (act.Undo, "me", False)]

@@ -15,19 +15,19 @@ class ApplicationNames:
     """What applications are called, and their steps by their ids, `a1/17`; who is gone keeps its name."""
 
     def __init__(self) -> None:
-        self.known: dict[str, str] = {}
+        self.names: dict[str, str] = {}
         self._read: dict[tuple[str, str], AppFlow] = {}
         """The flows as they were looked at last: thousands of names are not read again with every act."""
 
     def look(self, model: Model, docs: Iterable[str]) -> None:
         """Take in what there is, of steps those of the applications among `docs`."""
-        self.known |= {application.id: application.name for application in model.applications.values()}
+        self.names |= {application.id: application.name for application in model.applications.values()}
         for doc in docs:
             if opened := model.applications.get(doc):
-                self.known[f"{doc}/0"] = "Start"
+                self.names[f"{doc}/0"] = "Start"
                 for path, flow in flows_by_path(opened.application):
                     if self._read.get((doc, path)) is not flow:
-                        self.known |= {f"{doc}/{step.number}": _name_of(step) for step in flow.steps}
+                        self.names |= {f"{doc}/{step.number}": _name_of(step) for step in flow.steps}
                         self._read[doc, path] = flow
 
 

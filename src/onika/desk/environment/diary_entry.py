@@ -17,8 +17,6 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act
 from onika.words.reason import Reason
 
-HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
-
 _EVENTS: dict[type, tuple[str, str]] = {
     act.New: ("new_conf", "conf"),
     act.Open: ("open_conf", "conf"),
@@ -184,12 +182,16 @@ class DiaryEntry:
     associated_id: str = ""
     window: str = ""
 
-    def line(self, at_s: float) -> str:
-        """The line; `at_s` is seconds since 1970."""
+    def columns(self, at_s: float) -> tuple[str, ...]:
+        """The seven columns; `at_s` is seconds since 1970."""
         things = (_word(self.object, "none"), _word(self.id, "0"))
         associated = (_word(self.associated, "none"), _word(self.associated_id, "0"))
-        words = (f"{at_s:.3f}", _word(self.event, "none"), *things, *associated, _word(self.window, "root"))
-        return "\t".join(words)
+        return (f"{at_s:.3f}", _word(self.event, "none"), *things, *associated, _word(self.window, "root"))
+
+
+def is_of_user(command: act.AnyAct) -> bool:
+    """Whether an act has a line: not what a page asks for by itself."""
+    return isinstance(command, act.Note) or type(command) in _EVENTS
 
 
 def entries(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> tuple[DiaryEntry, ...]:
@@ -200,7 +202,7 @@ def entries(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) ->
                 command.event, command.object, command.id, command.associated, command.associated_id, command.window
             ),
         )
-    if type(command) not in _EVENTS:
+    if not is_of_user(command):
         return ()
     event, window = _event_of(command, answer)
     name = event if answer.no is None or event.startswith("try_") else f"try_{event}"

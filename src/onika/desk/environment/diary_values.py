@@ -15,8 +15,8 @@ from onika.wire import act
 _PLACES = frozenset({"t", "doc", "step", "steps", "after", "test", "anchor"})
 """Told by the ids of the act's line."""
 
-_UNTOLD = frozenset({"token", "secret", "stamp"})
-"""A secret, and what only the page knows of a text that it has read."""
+_UNTOLD = frozenset({"token", "secret", "stamp", "user", "to"})
+"""A secret, what only the page knows of a text that it has read, and who somebody is."""
 
 _LONGEST = 200
 """Letters of a value that is written out."""

@@ -4,6 +4,8 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
+from msgspec import Struct
+
 from onika.desk.environment.file import undo
 from onika.desk.environment.outcome.gathered_responses import GatheredResponses
 from onika.desk.environment.outcome.outcome import (
@@ -90,8 +92,10 @@ class Environment:
         """Acts by what they wait for: a response, work that is done aside, a change of a running system."""
         self.model = model
         self.listeners: list[ModelListener] = []
-        self.observers: list[Callable[[act.AnyAct, str, ActAnswer], None]] = []
-        """Told of every act, by whom and how it ended: the diary."""
+        self.observers: list[Callable[[act.AnyAct, str], Callable[[ActAnswer], None]]] = []
+        """Told of every act that begins, and by whom; what each returns is told how it ended: the diary."""
+        self.listening: list[Callable[[str, str, Struct], None]] = []
+        """Told of what a runtime tells, before it changes anything: station, which request that answers, message."""
         self.followers: list[Callable[[Model, Model], None]] = []
         """Told of every change, with what there was before."""
         self.revision = 0
@@ -100,9 +104,11 @@ class Environment:
     def do(self, command: act.AnyAct, by: str, answer: Callable[[ActAnswer], None]) -> None:
         """Carry an act out, and answer it once: now, or when the runtime has said what comes of it."""
 
+        ends = [observer(command, by) for observer in self.observers]
+
         def tell(given: ActAnswer) -> None:
-            for observer in self.observers:
-                observer(command, by, given)
+            for end in ends:
+                end(given)
             answer(given)
 
         station = station_of(self.model, command)
@@ -120,6 +126,8 @@ class Environment:
 
     def replied(self, order: Order, response: request.Response) -> None:
         """A runtime has replied to an order."""
+        for listener in self.listening:
+            listener(order.station or "", type(order.asked).__name__, response)
         if order.then is not None:
             self._adopt(order.then(self.model.at(order.station or ""), response), "")
         gathered = self._gathered.take(order, response)
@@ -127,6 +135,8 @@ class Environment:
 
     def receive(self, message: event.Event, station: str = "") -> None:
         """The runtime of a station has told something."""
+        for listener in self.listening:
+            listener(station, "", message)
         if station in self.model.stations:
             self._adopt(of_station(following.after_event(self.model.at(station), message, self._surroundings)), "")
 
