@@ -1,72 +1,100 @@
-// Courses of lessons: the tutorial, then loops, branches and flows that wait for each other. What ticks is what was done.
-import type { StepView } from '../api.gen'
-import { isCompleted, isJob, LESSONS, topFlowsOf, type Lesson, type Seen } from './tutorial'
+// Courses of lessons: the tutorial, then one for each thing that programs can do. Each begins with one that works, and ends
+// with something to find out. What ticks is what was done.
+import {
+  all,
+  branches,
+  cameRound,
+  choosing,
+  hasWaited,
+  innerLoops,
+  isOwn,
+  jobs,
+  met,
+  nested,
+  sharedTags,
+  timesOf,
+  twoArms,
+  wasDone,
+  wayTaken,
+} from './programParts'
+import { isCompleted, LESSONS, topFlowsOf, type Lesson, type LessonId, type Seen } from './tutorial'
 
-export type CourseId = 'first' | 'loops' | 'branches' | 'meetings'
+export type CourseId = 'first' | 'loops' | 'branches' | 'meetings' | 'arms' | 'nesting'
 
-const all = ({ view }: Seen): StepView[] => Object.values(view?.steps ?? {})
-const jobs = (seen: Seen): number => all(seen).filter(isJob).length
-
-/** The branches, each with the steps of its flows. */
-function branches({ view }: Seen): { step: StepView; flows: number[][] }[] {
-  return all({ view } as Seen)
-    .filter((step) => step.kind === 'branch')
-    .map((step) => ({ step, flows: (step.flows ?? []).map((path) => [...(view?.flows?.[path]?.steps ?? [])]) }))
-}
-
-/** A branch that can choose: a condition, and an action in each of at least two flows. */
-const choosing = (seen: Seen): { flows: number[][] }[] =>
-  branches(seen).filter(
-    ({ step, flows }) =>
-      flows.length > 1 &&
-      (step.conditions ?? []).some(Boolean) &&
-      flows.every((flow) => flow.some((number) => isJob(seen.view?.steps?.[number] ?? {}))),
-  )
-
-const wasDone = ({ run }: Seen, flow: readonly number[]): boolean =>
-  flow.some((number) => (run?.steps?.[number]?.times ?? 0) > 0)
-
-/** Tags that stand in two flows or more. */
-function sharedTags(seen: Seen): string[] {
-  const tags = topFlowsOf(seen).map(
-    (flow) => new Set(flow.flatMap((number) => seen.view?.steps?.[number]?.synch_tag || [])),
-  )
-  return [...new Set(tags.flatMap((some) => [...some]))].filter(
-    (tag) => tags.filter((some) => some.has(tag)).length > 1,
-  )
-}
+/** A program that is shipped and works: it counts when that one was run to its end. */
+const example = (id: LessonId, name: string, more: (seen: Seen) => boolean): Lesson => ({
+  id,
+  example: name,
+  isDone: (seen) => seen.view?.name === name && isCompleted(seen) && more(seen),
+})
 
 export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
   first: LESSONS,
   loops: [
-    { id: 'twoActions', isDone: (seen) => seen.isUpper && jobs(seen) > 1 && !seen.view?.holes },
-    { id: 'loop', isDone: (seen) => all(seen).some((step) => step.loop) },
+    example('loopSee', 'wave_three', (seen) => cameRound(seen, 3)),
+    { id: 'twoActions', isDone: (seen) => isMine(seen, 'wave_three') && jobs(seen) > 1 && !seen.view?.holes },
+    { id: 'loop', isDone: (seen) => isMine(seen, 'wave_three') && all(seen).some((step) => step.loop) },
+    { id: 'loopRun', isDone: (seen) => isCompleted(seen) && cameRound(seen, 2) },
     {
-      id: 'loopRun',
+      id: 'loopWithin',
       isDone: (seen) =>
-        all(seen).some((step) => step.loop) &&
-        isCompleted(seen) &&
-        Object.values(seen.run?.steps ?? {}).some((step) => (step.times ?? 0) > 1),
+        isCompleted(seen) && innerLoops(seen).some((loop) => loop.some((number) => timesOf(seen, number) > 3)),
     },
   ],
   branches: [
-    { id: 'branch', isDone: (seen) => seen.isUpper && branches(seen).length > 0 },
+    example('branchSee', 'see_the_lamp', (seen) => branches(seen).some(({ flows }) => wayTaken(seen, flows) >= 0)),
+    { id: 'branch', isDone: (seen) => isMine(seen, 'see_the_lamp') && branches(seen).length > 0 },
     { id: 'branchFlows', isDone: (seen) => choosing(seen).length > 0 },
     {
       id: 'branchRun',
+      isDone: (seen) => isCompleted(seen) && choosing(seen).some((flows) => wayTaken(seen, flows) >= 0),
+    },
+    {
+      id: 'branchMiddle',
       isDone: (seen) =>
         isCompleted(seen) &&
-        choosing(seen).some(({ flows }) => flows.filter((flow) => wasDone(seen, flow)).length === 1),
+        choosing(seen).some((flows) => wayTaken(seen, flows) > 0 && wayTaken(seen, flows) < flows.length - 1),
     },
   ],
   meetings: [
-    { id: 'twoFlows', isDone: (seen) => seen.view?.is_parallel === true && topFlowsOf(seen).length > 1 },
-    { id: 'tags', isDone: (seen) => sharedTags(seen).length > 0 },
+    example('meetSee', 'both_wave', (seen) => met(seen).length > 0),
     {
-      id: 'meet',
-      isDone: (seen) => isCompleted(seen) && (seen.run?.meets ?? []).some(({ tag }) => sharedTags(seen).includes(tag)),
+      id: 'twoFlows',
+      isDone: (seen) => isMine(seen, 'both_wave') && seen.view?.is_parallel === true && topFlowsOf(seen).length > 1,
+    },
+    { id: 'tags', isDone: (seen) => isMine(seen, 'both_wave') && sharedTags(seen).length > 0 },
+    { id: 'meet', isDone: (seen) => isCompleted(seen) && met(seen).length > 0 },
+    { id: 'meetTwice', isDone: (seen) => isCompleted(seen) && met(seen).length > 1 },
+  ],
+  arms: [
+    example('armsSee', 'two_arms', (seen) => haveMoved(seen)),
+    { id: 'armsFlows', isDone: (seen) => isMine(seen, 'two_arms') && twoArms(seen) !== undefined && !seen.view?.holes },
+    { id: 'armsRun', isDone: (seen) => isMine(seen, 'two_arms') && isCompleted(seen) && haveMoved(seen) },
+    { id: 'armsWait', isDone: (seen) => isCompleted(seen) && haveMoved(seen) && hasWaited(seen) },
+  ],
+  nesting: [
+    example('nestSee', 'visit_boxes', (seen) => nested(seen).some((number) => timesOf(seen, number) > 0)),
+    { id: 'nestInside', isDone: (seen) => seen.isUpper && seen.view?.name === 'visit' },
+    { id: 'nestUse', isDone: (seen) => isMine(seen, 'visit_boxes') && nested(seen).length > 0 && !seen.view?.holes },
+    {
+      id: 'nestRun',
+      isDone: (seen) =>
+        isMine(seen, 'visit_boxes') && isCompleted(seen) && nested(seen).some((number) => timesOf(seen, number) > 0),
+    },
+    {
+      id: 'nestOwn',
+      isDone: (seen) =>
+        isCompleted(seen) && nested(seen).some((number) => isOwn(seen, number) && timesOf(seen, number) > 0),
     },
   ],
 }
 
 export const COURSE_IDS = Object.keys(COURSES) as CourseId[]
+
+/** Whether it is another program than the one that was to be looked at. */
+function isMine(seen: Seen, shipped: string): boolean {
+  return seen.isUpper && seen.view !== undefined && seen.view.name !== shipped
+}
+
+/** Whether two arms, each in a flow of its own, have done something. */
+const haveMoved = (seen: Seen): boolean => twoArms(seen)?.every((flow) => wasDone(seen, flow)) === true

@@ -68,4 +68,6 @@ export const seen = (): Seen => ({
   view: desk.tree.applications[workspace.app],
   run: desk.live.run,
   types: desk.tree.types,
+  onikons: desk.tree.onikons,
+  dictionaries: desk.tree.dictionaries,
 })

@@ -1,8 +1,31 @@
 // The tutorial: a few deeds, each seen to be done by what is there afterwards.
-import type { ApplicationView, RunView, StepView, TypeView } from '../api.gen'
+import type { ApplicationView, DictionaryView, OnikonView, RunView, StepView, TypeView } from '../api.gen'
 
 type OfCourses =
-  'twoActions' | 'loop' | 'loopRun' | 'branch' | 'branchFlows' | 'branchRun' | 'twoFlows' | 'tags' | 'meet'
+  | 'loopSee'
+  | 'twoActions'
+  | 'loop'
+  | 'loopRun'
+  | 'loopWithin'
+  | 'branchSee'
+  | 'branch'
+  | 'branchFlows'
+  | 'branchRun'
+  | 'branchMiddle'
+  | 'meetSee'
+  | 'twoFlows'
+  | 'tags'
+  | 'meet'
+  | 'meetTwice'
+  | 'armsSee'
+  | 'armsFlows'
+  | 'armsRun'
+  | 'armsWait'
+  | 'nestSee'
+  | 'nestInside'
+  | 'nestUse'
+  | 'nestRun'
+  | 'nestOwn'
 export type LessonId =
   'new' | 'complete' | 'job' | 'fill' | 'out' | 'back' | 'run' | 'pause' | 'goOn' | 'end' | 'save' | OfCourses
 
@@ -14,12 +37,17 @@ export interface Seen {
   view: ApplicationView | undefined
   run: RunView | null
   types: Readonly<Record<string, TypeView>>
+  /** Icons by name, dictionaries by path. */
+  onikons: Readonly<Record<string, OnikonView>>
+  dictionaries: Readonly<Record<string, DictionaryView>>
 }
 
 export interface Lesson {
   id: LessonId
   /** The lesson before, of which it makes sense only if that was done. */
   goesWith?: LessonId
+  /** The program that is shipped and is looked at, by name. */
+  example?: string
   isDone: (seen: Seen) => boolean
 }
 

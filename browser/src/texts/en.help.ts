@@ -93,33 +93,4 @@ export const enHelp = {
   'tutorial.endHow': 'On the right it says how it went, and how long it took.',
   'tutorial.save': 'Save it under a name',
   'tutorial.saveHow': '`Ctrl S`. It is a file then, and a picture for other programs if you wish: “As icon…”.',
-  'tutorial.course': 'Course',
-  'tutorial.course.first': 'First steps',
-  'tutorial.course.loops': 'Loops',
-  'tutorial.course.branches': 'Branches',
-  'tutorial.course.meetings': 'Flows that meet',
-  'tutorial.courseOver': 'That was this course. Another one stands above.',
-  'tutorial.twoActions': 'Make a program of two actions',
-  'tutorial.twoActionsHow':
-    'In an application of one flow, say “open the hand” and “close the hand”. No hole may be left.',
-  'tutorial.loop': 'Repeat them',
-  'tutorial.loopHow': 'Select both (Shift + arrow keys), right click, and take “Repeat … times”: twice.',
-  'tutorial.loopRun': 'Run it, and see it come round',
-  'tutorial.loopRunHow': 'Press Run. It counts when the run is completed and an action was done at least twice.',
-  'tutorial.branch': 'Put a branch into a program',
-  'tutorial.branchHow': 'Right click where it shall stand, and take “Insert a branch…”.',
-  'tutorial.branchFlows': 'Give it a condition, and each of its flows an action',
-  'tutorial.branchFlowsHow':
-    'For example `LAMP == 1` for the first flow. What needs no target, such as “open the hand”, is quickest.',
-  'tutorial.branchRun': 'Run it, and see which flow it takes',
-  'tutorial.branchRunHow':
-    'It counts when the run is completed and one flow of the branch was carried out, the other not.',
-  'tutorial.twoFlows': 'Make an application of two flows side by side',
-  'tutorial.twoFlowsHow':
-    'Press “Add a flow” below the first one; beside the name it must say “parallel”. “two_arms” is such an application.',
-  'tutorial.tags': 'Let them wait for each other',
-  'tutorial.tagsHow': 'Right click an action of each flow, take “Synchronise…”, and give both the same tag.',
-  'tutorial.meet': 'Run it, and see them meet',
-  'tutorial.meetHow':
-    'It counts when the run is completed and the flows have begun together at that tag: a line through both in the time line.',
 }

@@ -97,35 +97,4 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.save': 'Guárdelo con un nombre',
   'tutorial.saveHow':
     '`Ctrl S`. Entonces es un archivo y, si lo desea, una imagen para otros programas: «Como icono…».',
-  'tutorial.course': 'Curso',
-  'tutorial.course.first': 'Primeros pasos',
-  'tutorial.course.loops': 'Bucles',
-  'tutorial.course.branches': 'Bifurcaciones',
-  'tutorial.course.meetings': 'Flujos que se encuentran',
-  'tutorial.courseOver': 'Este curso ha terminado. Arriba hay otro.',
-  'tutorial.twoActions': 'Haga un programa de dos acciones',
-  'tutorial.twoActionsHow':
-    'En una aplicación de un flujo, por ejemplo «abre la mano» y «cierra la mano». No debe quedar ningún hueco.',
-  'tutorial.loop': 'Repítalas',
-  'tutorial.loopHow':
-    'Seleccione las dos (Mayús + flechas), pulse con el botón derecho y elija «Repetir … veces»: dos.',
-  'tutorial.loopRun': 'Ejecútelo y vea cómo vuelve',
-  'tutorial.loopRunHow':
-    'Pulse Ejecutar. Cuenta cuando la ejecución se completa y una acción se hizo al menos dos veces.',
-  'tutorial.branch': 'Ponga una bifurcación en un programa',
-  'tutorial.branchHow': 'Pulse con el botón derecho donde deba estar y elija «Insertar una bifurcación…».',
-  'tutorial.branchFlows': 'Dele una condición, y a cada uno de sus flujos una acción',
-  'tutorial.branchFlowsHow':
-    'Por ejemplo `LAMP == 1` para el primer flujo. Lo más rápido es lo que no necesita objetivo, como «abre la mano».',
-  'tutorial.branchRun': 'Ejecútelo y vea qué flujo toma',
-  'tutorial.branchRunHow': 'Cuenta cuando la ejecución se completa y se hizo un flujo de la bifurcación y el otro no.',
-  'tutorial.twoFlows': 'Haga una aplicación de dos flujos en paralelo',
-  'tutorial.twoFlowsHow':
-    'Pulse «Añadir un flujo» debajo del primero; junto al nombre debe decir «paralela». «two_arms» es una aplicación así.',
-  'tutorial.tags': 'Haga que se esperen',
-  'tutorial.tagsHow':
-    'Pulse con el botón derecho una acción de cada flujo, elija «Sincronizar…» y dé a las dos la misma marca.',
-  'tutorial.meet': 'Ejecútelo y vea cómo se encuentran',
-  'tutorial.meetHow':
-    'Cuenta cuando la ejecución se completa y los flujos han empezado juntos en esa marca: una línea que los cruza en la línea de tiempo.',
 }

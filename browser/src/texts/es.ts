@@ -1,6 +1,7 @@
 // Español.
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
+import { esCourses } from './es.courses'
 import { esDictionary } from './es.dictionary'
 import { esForesight } from './es.foresight'
 import { esHelp } from './es.help'
@@ -24,6 +25,7 @@ export const es: Record<TextKey, string> = {
   ...esPerform,
   ...esLevels,
   ...esHelp,
+  ...esCourses,
   ...esForesight,
   ...esRedirect,
   ...esHolding,

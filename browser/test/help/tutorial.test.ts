@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import type { ApplicationView, RunView, StepView } from '../../src/api.gen'
-import { enHelp } from '../../src/texts/en.help'
+import { en } from '../../src/texts/en'
 import { advanced, LESSONS, skippedWith, type LessonId, type Seen } from '../../src/help/tutorial'
 
 const OPEN: StepView = { role: 'job', name: 'opengripC', type: 'Complete job' }
@@ -30,7 +30,16 @@ const run = (state: RunView['state'], flow: object = {}, more: Partial<RunView> 
   flows: { flow0: { order: 0, ...flow } },
   ...more,
 })
-const seen = (more: Partial<Seen>): Seen => ({ isUpper: true, app: 'a1', view: undefined, run: null, types, ...more })
+const seen = (more: Partial<Seen>): Seen => ({
+  isUpper: true,
+  app: 'a1',
+  view: undefined,
+  run: null,
+  types,
+  onikons: {},
+  dictionaries: {},
+  ...more,
+})
 const before = (id: LessonId): number => LESSONS.findIndex((one) => one.id === id)
 
 const DEEDS: [LessonId, Partial<Seen>][] = [
@@ -98,5 +107,5 @@ test('a run that was ended while it was paused did not go on', () => {
 test('the guide has the same steps under the same names', () => {
   const guide = readFileSync(new URL('../../../docs/guide/16-fifteen-minutes.md', import.meta.url), 'utf8')
   const headings = [...guide.matchAll(/^### (\d+)\. (.+)$/gm)].map(([, number, title]) => [Number(number), title])
-  expect(headings).toEqual(LESSONS.map(({ id }, k) => [k + 1, enHelp[`tutorial.${id}`]]))
+  expect(headings).toEqual(LESSONS.map(({ id }, k) => [k + 1, en[`tutorial.${id}`]]))
 })
