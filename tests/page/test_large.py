@@ -37,6 +37,9 @@ def test_five_hundred_boxes_open_are_dragged_and_taken_back(program, page, peopl
     expect(me.canvas.locator("[data-task]").nth(40)).to_be_visible(timeout=20_000)
     page.keyboard.press("1")
     expect(me.canvas.locator("[data-task]")).to_have_count(COUNT, timeout=20_000)
+    frames = me.canvas.locator("path.box")  # from afar one outline is all boxes that look alike
+    expect(frames).to_have_count(1)
+    assert (frames.get_attribute("d") or "").count("M") == COUNT
     page.keyboard.press("0")
     task = page.evaluate(
         """() => [...document.querySelectorAll('[data-task]')].find((one) => { const b = one.getBoundingClientRect()

@@ -18,6 +18,8 @@ import {
 const NEAR = 0.6
 /** Below this a pin is smaller than a pixel and a half: boxes are left without them. */
 const TINY = 0.3
+/** Below this nobody reads the names of boxes either. */
+const UNREAD = 0.2
 const MARGIN = 48
 
 export class View {
@@ -26,6 +28,7 @@ export class View {
   // Not asked anew at each step of a pan: hundreds of boxes depend on them.
   readonly isFar = $derived(this.seen.scale < NEAR)
   readonly isTiny = $derived(this.seen.scale < TINY)
+  readonly isUnread = $derived(this.seen.scale < UNREAD)
   /** The upper left corner of the canvas on the page. */
   left = 0
   top = 0
