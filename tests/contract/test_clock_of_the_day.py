@@ -13,7 +13,8 @@ HOUSE = Path(onika.__file__).parent
 OF_PEOPLE = {
     "agent/program.py",
     "cli/fabric/command.py",
-    "cli/library.py",
+    "cli/library/command.py",
+    "cli/library/sending.py",
     "cli/own.py",
     "desk/console/readings_log.py",
     "desk/environment/diary.py",

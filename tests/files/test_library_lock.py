@@ -23,7 +23,17 @@ TEXT = library_lock.write([LIBRARY])
 
 
 def test_a_lock_is_read_as_it_was_written():  # R-X16
-    both = (LIBRARY, replace(LIBRARY, name="sandia", address="/a folder/of ours", next_key=KEY, agreed={}))
+    both = (
+        LIBRARY,
+        replace(
+            LIBRARY,
+            name="sandia",
+            address="/a folder/of ours",
+            next_key=KEY,
+            agreed={},
+            bases={"module/pd.rmod": "5a" * 32},
+        ),
+    )
     assert library_lock.read(library_lock.write(both), "onika.lock", "onika.lock") == (both, ())
     assert library_lock.read(library_lock.write(()), "onika.lock", "onika.lock") == ((), ())
 

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import UTC, date, datetime
 from pathlib import Path
 from time import monotonic_ns, time
 
@@ -11,8 +12,10 @@ from starlette.applications import Starlette
 
 from onika.agent.attended_runtime import AttendedRuntime
 from onika.agent.booked_robots import BookedRobots
+from onika.agent.change_check import ChangeCheck
 from onika.agent.door import application
 from onika.agent.launches import SiteLaunches
+from onika.agent.library_keeper import LibraryKeeper
 from onika.agent.site_state import SiteState
 from onika.booking.book import BookingBook
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -23,7 +26,11 @@ from onika.host.sessions.site_clock import SiteClock
 from onika.host.sessions.users import Users
 from onika.link.address import bracketed
 from onika.model.launch import Launch
+from onika.store.audit_trail import AuditTrail
+from onika.store.remote.publication import Publisher
+from onika.store.site import open_site
 from onika.web.connection_limit import limited_protocol
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +39,7 @@ class SiteOptions:
 
     users       the file of users, which the runtimes get, too
     book        the file of bookings
+    library     what is published of the site's own, and may be changed by who brings code; None: nothing
     """
 
     name: str
@@ -40,6 +48,7 @@ class SiteOptions:
     book: Path
     with_fifo: bool = True
     has_black_box: bool = True
+    library: Publisher | None = None
 
 
 class SiteProgram:
@@ -51,6 +60,7 @@ class SiteProgram:
         self._state = SiteState(state, options.name)
         try:
             book = BookedRobots(BookingBook(options.book), SiteClock(time, monotonic_ns))
+            self._library = self._kept(options.library, state)
             self._listening = listen(settings.host, settings.port)
         except BaseException:
             self._state.close()
@@ -66,7 +76,7 @@ class SiteProgram:
         """Serve until Ctrl-C or SIGTERM; then all that it has launched ends, and drives hold."""
         try:
             admission = Admission(Users(self._settings.users), self._settings.names, bool(self._settings.certificate))
-            asyncio.run(self._serve(application(admission, self._launches), on_ready))
+            asyncio.run(self._serve(application(admission, self._launches, library=self._library), on_ready))
         finally:
             self._launches.close()
             self._state.close()
@@ -91,6 +101,21 @@ class SiteProgram:
             await asyncio.sleep(0.005)
         on_ready(self.place)
         await serving
+
+    def _kept(self, library: Publisher | None, state: Path) -> LibraryKeeper | None:
+        """The library of the site, published; raises OSError where that is not possible."""
+        if library is None:
+            return None
+        types, faults = open_site([library.base], {}, state).syntax()
+        if types is None:
+            raise OSError(faults[0].sentence)
+        trail = AuditTrail(trail_path(state, library.name))
+        keeper = LibraryKeeper(library, ChangeCheck(types), trail, _today, monotonic_ns)
+        published = keeper.begin()
+        if isinstance(published, Reason):
+            trail.close()
+            raise OSError(Reason.of("site.library_not_kept", library=library.name, why=published))
+        return keeper
 
     def _begun(self, launch: Launch, stays: bool) -> AttendedRuntime:
         return AttendedRuntime(lambda: self._launched(launch), stays=stays)
@@ -119,3 +144,12 @@ class SiteProgram:
             words += ["--robot", launch.robot, "--book", str(self._options.book)]
             words += ["--require-booking"] * launch.needs_booking
         return words
+
+
+def trail_path(state: Path, library: str) -> Path:
+    """Where it stands who has changed a library of this site."""
+    return state / "audit" / f"library-{library}.log"
+
+
+def _today() -> date:
+    return datetime.now(UTC).date()

@@ -10,6 +10,7 @@ from onika.booking.book import book_path
 from onika.cli.language import say
 from onika.cli.lines import site_text
 from onika.cli.orderly_exit import in_order
+from onika.cli.search_path import directory
 from onika.desk.run.remote_runtime import token_for
 from onika.files import text
 from onika.files.site import launch_list
@@ -22,6 +23,7 @@ from onika.link.starting.site_address import PORT, SiteAddress
 from onika.link.starting.site_client import SiteClient
 from onika.link.token import read_token
 from onika.model.launch import Launch
+from onika.store.remote.publication import Publisher
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of
 
@@ -47,6 +49,10 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--host-name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name"))
     )
     serve.add_argument("--book", type=Path, metavar="FILE", help=say(Reason.of("cli.runtime_book")))
+    serve.add_argument("--library", type=directory, metavar="DIR", help=say(Reason.of("cli.site_library")))
+    serve.add_argument("--library-to", type=Path, metavar="FOLDER", help=say(Reason.of("cli.site_library_to")))
+    serve.add_argument("--library-key", type=Path, metavar="KEY", help=say(Reason.of("cli.site_library_key")))
+    serve.add_argument("--library-name", type=_name, metavar="NAME", help=say(Reason.of("cli.library_name")))
     serve.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     serve.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     _elsewhere(acts.add_parser("card", help=say(Reason.of("cli.site_card"))))
@@ -101,14 +107,26 @@ def _serve(given: argparse.Namespace) -> int:
         return 2
     book = given.book if given.book is not None else book_path(os.environ)
     name = given.name or _own_name()
-    options = SiteOptions(name, launches, given.users, book, not given.no_fifo, not given.no_black_box)
+    state = state_directory(os.environ)
+    if given.library and given.library_key is None:
+        return _no(Reason.of("cli.site_library_needs_key"), 2)
+    library = _library(given, state) if given.library else None
+    options = SiteOptions(name, launches, given.users, book, not given.no_fifo, not given.no_black_box, library)
     try:
-        program = SiteProgram(options, settings, state_directory(os.environ))
+        program = SiteProgram(options, settings, state)
     except OSError as wrong:
         return _no(reason_of(wrong), 2)
     with in_order():
         program.run(lambda place: _tell(name, place, token_at))
     return 0
+
+
+def _library(given: argparse.Namespace, state: Path) -> Publisher:
+    """What the site publishes of its own; where no folder is named, only the site itself gives it away."""
+    base = Path(given.library).absolute()
+    name = given.library_name or base.name
+    folder = given.library_to or state / "published" / name
+    return Publisher(base, folder.absolute(), given.library_key, name)
 
 
 def _tell(name: str, place: str, token_at: str) -> None:

@@ -31,6 +31,7 @@ _LIBRARY = (
     KeywordSlot("FILE", Need.OPTIONAL, many=True),
     KeywordSlot("WRITES", Need.OPTIONAL, many=True),
     KeywordSlot("MAY", Need.OPTIONAL, many=True),
+    KeywordSlot("BASE", Need.OPTIONAL, many=True),
 )
 _DIGEST = re.compile(r"sha256:([0-9a-f]{64})\Z")
 _NUMBER = re.compile(r"[0-9]{1,9}\Z")
@@ -72,6 +73,8 @@ class LockedLibrary:
     files: Mapping[str, LockedFile] = field(default_factory=dict)
     agreed: Mapping[str, Agreement] = field(default_factory=dict)
     """By tasks."""
+    bases: Mapping[str, str] = field(default_factory=dict)
+    """The SHA-256 of what own copies of files began with, where that is no more what the library has; by paths."""
 
 
 def read(text: str, _name: str, place_file: str) -> tuple[tuple[LockedLibrary, ...] | None, tuple[Fault, ...]]:
@@ -110,6 +113,7 @@ def write(libraries: Iterable[LockedLibrary], _former: str = "") -> str:
         agreed = sorted(library.agreed.items())
         parts += [row("WRITES", task, *_words(agreement.writes)) for task, agreement in agreed]
         parts += [row("MAY", task, *_words(agreement.touches)) for task, agreement in agreed if agreement.touches]
+        parts += [row("BASE", path, f"sha256:{digest}") for path, digest in sorted(library.bases.items())]
     return "".join([*parts, "\n", row("EOF")])
 
 
@@ -146,6 +150,7 @@ def _library(block: Sequence[FileLine], reading: TextReading) -> LockedLibrary |
         next_key,
         _files(by_keyword["FILE"], reading),
         _agreed(by_keyword["WRITES"], by_keyword["MAY"], reading),
+        _bases(by_keyword["BASE"], reading),
     )
 
 
@@ -172,6 +177,19 @@ def _files(lines: Iterable[FileLine], reading: TextReading) -> dict[str, LockedF
         else:
             files[line.words[0]] = LockedFile(digest[1], int(line.words[2]))
     return files
+
+
+def _bases(lines: Iterable[FileLine], reading: TextReading) -> dict[str, str]:
+    bases: dict[str, str] = {}
+    for line in lines:
+        digest = _DIGEST.match(line.words[1]) if len(line.words) == 2 else None
+        if digest is None or not library_index.is_path(line.words[0]):
+            _wrong(line, reading)
+        elif line.words[0] in bases:
+            reading.fault(line.number, Reason.of("files.every_name_once", given=str(line)))
+        else:
+            bases[line.words[0]] = digest[1]
+    return bases
 
 
 def _agreed(writes: Iterable[FileLine], touches: Iterable[FileLine], reading: TextReading) -> dict[str, Agreement]:

@@ -6,6 +6,7 @@ with LibraryServer(folder) as server:
 """
 
 import base64
+import re
 import socket
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -22,6 +23,8 @@ class LibraryServer:
     def __init__(self, folder: Path, password: str = "", delay_s: float = 0.0) -> None:
         self.folder = folder
         self.answers: dict[str, Answer] = {}
+        self.takes: Callable[[bytes], bytes] | None = None
+        """What is answered to whatever somebody sends; None: nothing is taken."""
         self.asked: list[str] = []
         self.connections = 0
         self.stop = Event()
@@ -58,8 +61,11 @@ class LibraryServer:
     def _serve(self, connection: socket.socket) -> None:
         with connection:
             try:
-                for head in _questions(connection):
-                    self._answer(connection, head)
+                for head, body in _questions(connection):
+                    if head.startswith("POST ") and self.takes is not None:
+                        connection.sendall(answer(self.takes(body), kind="application/json"))
+                    else:
+                        self._answer(connection, head)
             except OSError:
                 return
 
@@ -84,10 +90,10 @@ class LibraryServer:
         return "Basic " + base64.b64encode(self._password.encode()).decode()
 
 
-def answer(content: bytes, *, length: int | None = None) -> bytes:
+def answer(content: bytes, *, length: int | None = None, kind: str = "text/plain") -> bytes:
     """A whole answer; `length` is what it says of itself where that is a lie."""
     size = len(content) if length is None else length
-    return b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % size + content
+    return f"HTTP/1.1 200 OK\r\nContent-Type: {kind}\r\nContent-Length: {size}\r\n\r\n".encode() + content
 
 
 def moved(location: str) -> Answer:
@@ -126,8 +132,8 @@ def slow_head(stop: Event, every_s: float) -> Answer:
     return drop
 
 
-def _questions(connection: socket.socket) -> Iterator[str]:
-    """The heads of questions, one after the other."""
+def _questions(connection: socket.socket) -> Iterator[tuple[str, bytes]]:
+    """The heads of questions and what is sent with them, one after the other."""
     left = b""
     while True:
         while b"\r\n\r\n" not in left:
@@ -136,4 +142,9 @@ def _questions(connection: socket.socket) -> Iterator[str]:
                 return
             left += part
         head, _, left = left.partition(b"\r\n\r\n")
-        yield head.decode("latin-1") + "\r\n"
+        length = re.search(rb"\r\nContent-Length: ([0-9]+)", head)
+        size = int(length[1]) if length else 0
+        while len(left) < size:
+            left += connection.recv(65536)
+        body, left = left[:size], left[size:]
+        yield head.decode("latin-1") + "\r\n", body

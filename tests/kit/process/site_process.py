@@ -22,7 +22,7 @@ WORLD crane
 
 EOF
 """
-USERS = {"ann": "operator", "bob": "operator", "eve": "viewer", "kim": "owner"}
+USERS = {"ann": "operator", "bob": "operator", "eve": "viewer", "kim": "owner", "pat": "programmer"}
 ONIKA = Path(sys.executable).with_name("onika")
 
 

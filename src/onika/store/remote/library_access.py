@@ -4,13 +4,14 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
+from typing import TypeVar
 
 from onika.files.library_index import LARGEST_FILE, IndexedFile, LibraryIndex
 from onika.store.remote.address import WebAddress, library_address
 from onika.store.remote.code_pack import unpacked
 from onika.store.remote.credential import Credential, kept_credential
 from onika.store.remote.object_cache import ObjectCache
-from onika.store.remote.source import INDEX, FolderSource, LibrarySource, Wanted, object_path
+from onika.store.remote.source import INDEX, FolderSource, Wanted, object_path
 from onika.store.remote.web_connection import Limits
 from onika.store.remote.web_source import CONNECTIONS, WebSource
 from onika.words.reason import NOTHING, Reason
@@ -19,6 +20,7 @@ from onika.words.system_error import system_reason
 PASSWORD_REASONS = ("store.password_needed", "store.password_wrong")
 """The keys of what a server says who wants to know who asks."""
 
+_T = TypeVar("_T")
 _TRIES = 3
 _FEW = 2 * CONNECTIONS
 """Files that come as fast one by one as in a pack."""
@@ -72,6 +74,15 @@ class LibraryAccess:
             lacking = self._lacking(lacking)
         return self._kept(address, {object_path(file.digest): (file.digest, file.size) for file in lacking})
 
+    def sent(self, address: str, path: str, body: bytes, most: int) -> bytes | Reason:
+        """Send something to the site of a library, and what is answered; only a site of the web takes anything."""
+        place = library_address(address)
+        if isinstance(place, Reason):
+            return place
+        if isinstance(place, Path):
+            return Reason.of("store.folder_takes_no_changes", path=str(place))
+        return self._let_in(place, lambda source: source.send(path, body, most))
+
     def hang_up(self) -> None:
         """End all connections; passwords are remembered."""
         for source in self._sources.values():
@@ -115,7 +126,12 @@ class LibraryAccess:
             return place
         if isinstance(place, Path):
             return FolderSource(place).fetch(wanted)
-        answer = self._source(place, expects_more=expects_more).fetch(wanted)
+        self._source(place, expects_more=expects_more)
+        return self._let_in(place, lambda source: source.fetch(wanted))
+
+    def _let_in(self, place: WebAddress, do: Callable[[WebSource], _T | Reason]) -> _T | Reason:
+        """What is done at a server; where it wants a password, the user is asked."""
+        answer = do(self._source(place))
         for _ in range(_TRIES):
             if not isinstance(answer, Reason) or answer.key not in PASSWORD_REASONS or self._ask is None:
                 return answer
@@ -123,10 +139,10 @@ class LibraryAccess:
             if credential is None:
                 return answer
             self.let_in(place, credential)
-            answer = self._source(place).fetch(wanted)
+            answer = do(self._source(place))
         return answer
 
-    def _source(self, place: WebAddress, *, expects_more: bool = False) -> LibrarySource:
+    def _source(self, place: WebAddress, *, expects_more: bool = False) -> WebSource:
         key = _key(place)
         if key not in self._sources:
             credential = self._credentials.get(place.authority)

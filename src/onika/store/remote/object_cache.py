@@ -1,6 +1,7 @@
 """Files of others kept by what they hold: each under its SHA-256, which is looked at whenever it is opened (F03)."""
 
 import os
+import re
 import secrets
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -11,6 +12,12 @@ from pathlib import Path
 from onika.files.state.state_directory import make_own
 
 _OBJECTS = "objects"
+_DIGEST = re.compile(r"[0-9a-f]{64}\Z")
+
+
+def is_digest(text: str) -> bool:
+    """Whether a text is a SHA-256 in hexadecimal."""
+    return _DIGEST.match(text) is not None
 
 
 def cache_directory(environment: Mapping[str, str]) -> Path:

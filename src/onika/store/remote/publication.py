@@ -69,8 +69,28 @@ class Publisher:
         except OSError as error:
             return system_reason_with_place(error)
 
+    def former(self) -> LibraryIndex | Reason | None:
+        """What lies in the folder; None: nothing. It must be this library. Raises OSError."""
+        path = self.folder / INDEX
+        if not path.exists():
+            return None
+        found = opened(path.read_bytes())
+        if isinstance(found, Reason):
+            return Reason.of("store.former_unread", path=str(path), why=found)
+        if found.index.name != self.name:
+            return Reason.of("store.former_other", path=str(path), library=found.index.name)
+        return found.index
+
+    def is_published(self, today: date) -> bool:
+        """Whether what lies in the folder is just what the base directory has now, and not overdue."""
+        try:
+            former = self.former()
+            return isinstance(former, LibraryIndex) and former.until >= today and former.files == self._gathered()[0]
+        except OSError:
+            return False
+
     def _publish(self, today: date, days: int, description: str, next_key: str) -> Publication | Reason:
-        former = self._former()
+        former = self.former()
         if isinstance(former, Reason):
             return former
         files, objects, left_out = self._gathered()
@@ -79,12 +99,12 @@ class Publisher:
         too_many = len(files) > library_index.MOST_FILES
         if too_many:
             return Reason.of("files.index_many", most=library_index.MOST_FILES)
-        until = today + timedelta(days=days)
+        until, version = today + timedelta(days=days), former.version + 1 if former else 1
         pack = packed(objects)
         if len(pack) > library_index.LARGEST_FILE:
             pack = b""
         named = sha256(pack).hexdigest() if pack else ""
-        index = LibraryIndex(self.name, former + 1, today, until, next_key, description, named, len(pack), files)
+        index = LibraryIndex(self.name, version, today, until, next_key, description, named, len(pack), files)
         body = zstandard.ZstdCompressor(level=_LEVEL).compress(library_index.write(index))
         signed = sign(body, self.key)
         if isinstance(signed, Reason):
@@ -99,18 +119,6 @@ class Publisher:
                 write_whole(target, content, mode=_MODE)
         write_whole(self.folder / INDEX, signed, mode=_MODE)
         return Publication(index, found.signer, len(signed), left_out)
-
-    def _former(self) -> int | Reason:
-        """The version that lies in the folder; 0: none. What lies there must be this library."""
-        path = self.folder / INDEX
-        if not path.exists():
-            return 0
-        found = opened(path.read_bytes())
-        if isinstance(found, Reason):
-            return Reason.of("store.former_unread", path=str(path), why=found)
-        if found.index.name != self.name:
-            return Reason.of("store.former_other", path=str(path), library=found.index.name)
-        return found.index.version
 
     def _gathered(self) -> tuple[dict[str, IndexedFile], dict[str, bytes], tuple[str, ...]]:
         """The files, what of them does not stand in the index, and the paths of those that are left out."""

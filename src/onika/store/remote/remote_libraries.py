@@ -4,6 +4,7 @@ Nothing that is fetched is run by any of this, and nothing is used before its si
 write was agreed to.
 """
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from datetime import date
 
@@ -14,6 +15,7 @@ from onika.store.remote.index_check import SignedIndex, opened, overdue, refusal
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.library_changes import LibraryChanges, changes, locked_as
 from onika.store.remote.lock_file import LockFile
+from onika.store.remote.own_changes import bases_after
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -96,8 +98,27 @@ class RemoteLibraries:
         return NewerVersion(Offer(library.address, found, content), changes(library, found.index))
 
     def renew(self, library: LockedLibrary, renewal: NewerVersion) -> LockedLibrary | Refusal:
-        """Use the newer version; whoever asks for it has agreed to what its tasks write."""
-        return self._kept(locked_as(renewal.offer.found, library.address, library.trusted), renewal.offer.content)
+        """Use the newer version; whoever asks for it has agreed to what its tasks write.
+
+        Of files before which own copies stand it is kept with what these were begun.
+        """
+        newer = locked_as(renewal.offer.found, library.address, library.trusted)
+        now = ((path, file.digest) for path, file in newer.files.items())
+        try:
+            bases = bases_after(self.checkout(library), now)
+        except OSError as error:
+            return self._not_kept(error)
+        return self._kept(replace(newer, bases=bases), renewal.offer.content)
+
+    def begun_with(
+        self, library: LockedLibrary, bases: Mapping[str, str], contents: Iterable[bytes]
+    ) -> LockedLibrary | Refusal:
+        """Have own copies, by paths, count as begun with these contents, which have these SHA-256."""
+        try:
+            self.access.cache.put_all(contents)
+        except OSError as error:
+            return self._not_kept(error)
+        return self._saved(replace(library, bases={**library.bases, **bases}))
 
     def trust(self, library: LockedLibrary, signer: str, trusted: str) -> LockedLibrary | Refusal:
         """Trust another key from now on: what it signs may follow; what is locked stays as it is."""
@@ -131,9 +152,12 @@ class RemoteLibraries:
         try:
             self.access.cache.put(content)
         except OSError as error:
-            folder = str(self.access.cache.folder)
-            return Refusal(Reason.of("files.not_savable", path=folder, why=system_reason(error)))
+            return self._not_kept(error)
         return self._saved(library)
+
+    def _not_kept(self, error: OSError) -> Refusal:
+        folder = str(self.access.cache.folder)
+        return Refusal(Reason.of("files.not_savable", path=folder, why=system_reason(error)))
 
     def _saved(self, library: LockedLibrary) -> LockedLibrary | Refusal:
         former, faults = self.lock.opened()

@@ -19,6 +19,7 @@ from onika.words.system_error import system_reason
 
 _T = TypeVar("_T")
 _CHUNK = 65536
+_JSON = "application/json"
 _MOVED = (301, 302, 303, 307, 308)
 
 
@@ -69,6 +70,10 @@ class WebConnection:
         if isinstance(answer, Reason) and was_open and answer.key == "store.server_gone":
             return self._guarded(wanted.path, lambda: self._asked(wanted))
         return answer
+
+    def post(self, path: str, body: bytes, most: int) -> bytes | Reason:
+        """Send something once; what is answered in JSON, whatever its status. It is never sent on elsewhere."""
+        return self._guarded(path, lambda: self._posted(path, body, most))
 
     def end(self) -> None:
         """Close it for good, also where another thread is just opening it."""
@@ -142,15 +147,30 @@ class WebConnection:
             target = moved
         return Reason.of("store.sent_around", host=self._address.host)
 
-    def _response(self, target: str) -> http.client.HTTPResponse:
+    def _posted(self, path: str, body: bytes, most: int) -> bytes | Reason:
+        if not self._address.keeps_secrets:
+            return Reason.of("store.change_unsafe", host=self._address.host)
+        response = self._response(self._address.below(path), body)
+        wanted = Wanted(path, most)
+        if response.headers.get("Content-Type", "") == _JSON:
+            return self._body(response, wanted)
+        answer = self._answer(response, wanted)
+        if isinstance(answer, Reason) and answer.key not in ("store.not_on_server", "store.server_answer"):
+            return answer
+        return Reason.of("store.takes_no_changes", host=self._address.host, status=response.status)
+
+    def _response(self, target: str, body: bytes | None = None) -> http.client.HTTPResponse:
         connection = self._connected()
-        connection.putrequest("GET", target, skip_host=True, skip_accept_encoding=True)
+        connection.putrequest("GET" if body is None else "POST", target, skip_host=True, skip_accept_encoding=True)
         connection.putheader("Host", self._address.authority)
         connection.putheader("Accept-Encoding", "identity")
         connection.putheader("User-Agent", "onika")
         if self._credential is not None and self._address.keeps_secrets:
             connection.putheader("Authorization", self._credential.header)
-        connection.endheaders()
+        if body is not None:
+            connection.putheader("Content-Type", _JSON)
+            connection.putheader("Content-Length", str(len(body)))
+        connection.endheaders(body)
         return connection.getresponse()
 
     def _answer(self, response: http.client.HTTPResponse, wanted: Wanted) -> bytes | Reason:

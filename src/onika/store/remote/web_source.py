@@ -46,6 +46,10 @@ class WebSource:
             thread.join()
         return fetching.outcome
 
+    def send(self, path: str, body: bytes, most: int) -> bytes | Reason:
+        """Send something, and have what is answered, at most so many bytes."""
+        return self._connections[0].post(path, body, most)
+
     def close(self) -> None:
         """End all connections."""
         for connection in self._connections:

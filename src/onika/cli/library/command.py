@@ -8,7 +8,8 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 
 from onika.cli.language import say
-from onika.cli.lines import library_text
+from onika.cli.library import listing_text, sending
+from onika.cli.library.consent import agrees
 from onika.cli.search_path import access_here, directory
 from onika.files.library_lock import LockedLibrary
 from onika.store.remote.contents import contents, matching
@@ -50,6 +51,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     browse = _subscriber(acts.add_parser("browse", help=say(Reason.of("cli.library_browse"))))
     browse.add_argument("address", metavar="NAME|URL|PATH")
     browse.add_argument("--search", default="", metavar="WORDS", help=say(Reason.of("cli.library_search")))
+    sending.describe(_subscriber(acts.add_parser("send", help=say(Reason.of("cli.library_send")))))
     remove = _subscriber(acts.add_parser("remove", help=say(Reason.of("cli.library_remove"))))
     remove.add_argument("name", metavar="NAME")
     trust = _subscriber(acts.add_parser("trust", help=say(Reason.of("cli.library_trust"))))
@@ -83,7 +85,7 @@ def _publish(given: argparse.Namespace) -> int:
     done = publisher.publish(_today(), days=given.days, description=given.desc, next_key=next_key)
     if isinstance(done, Reason):
         return _no(done)
-    for line in library_text.published(done, given.to):
+    for line in listing_text.published(done, given.to):
         print(say(line))
     return 0
 
@@ -93,7 +95,7 @@ def _add(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
     offer = libraries.offer(address, _today())
     if isinstance(offer, Reason):
         return _no(offer)
-    for line in library_text.offered(offer):
+    for line in listing_text.offered(offer):
         print(say(line))
     if not _is_trusted(offer, given.trust):
         return _no(Reason.of("cli.library_not_trusted", signer=offer.found.signer))
@@ -109,7 +111,7 @@ def _is_trusted(offer: Offer, trusted: str) -> bool:
     """Whether the user trusts the signer: said with the command, or asked for at a terminal."""
     if trusted or not sys.stdin.isatty():
         return trusted == offer.found.signer
-    return _agrees(Reason.of("cli.library_trust_question"))
+    return agrees(Reason.of("cli.library_trust_question"))
 
 
 def _list(_: argparse.Namespace, libraries: RemoteLibraries) -> int:
@@ -117,7 +119,7 @@ def _list(_: argparse.Namespace, libraries: RemoteLibraries) -> int:
     for fault in faults:
         print(say(fault.sentence), file=sys.stderr)
     for library in listed:
-        print(say(library_text.listed(library, len(libraries.checkout(library).lacking()))))
+        print(say(listing_text.listed(library, len(libraries.checkout(library).lacking()))))
     if not listed and not faults:
         print(say(Reason.of("cli.library_none")))
     return 1 if faults else 0
@@ -132,12 +134,12 @@ def _updated(library: LockedLibrary, libraries: RemoteLibraries, *, is_agreed: b
     renewal = libraries.renewal(library, _today())
     if isinstance(renewal, Reason):
         return renewal
-    for line in library_text.changed(library.name, renewal.changes):
+    for line in listing_text.changed(library.name, renewal.changes):
         print(say(line))
     if renewal.changes.further and not is_agreed:
         if not sys.stdin.isatty():
             return Reason.of("cli.library_not_agreed", library=library.name)
-        if not _agrees(Reason.of("cli.library_agree_question")):
+        if not agrees(Reason.of("cli.library_agree_question")):
             return Reason.of("cli.library_as_before", library=library.name)
     renewed = libraries.renew(library, renewal)
     return renewed.sentence if isinstance(renewed, Refusal) else NOTHING
@@ -170,10 +172,10 @@ def _browse(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
         return _no(offer)
     new = changes(library, offer.index) if library else None
     shown = contents(offer.index, frozenset((*new.added, *new.altered)) if new else frozenset())
-    for line in library_text.offered(offer):
+    for line in listing_text.offered(offer):
         print(say(line))
     for entry in matching(shown, given.search):
-        print(say(library_text.entry(entry)))
+        print(say(listing_text.entry(entry)))
     return 0
 
 
@@ -186,7 +188,7 @@ def _trust(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
     library = libraries.find(given.name)
     if library is None:
         return _no(Reason.of("store.library_unknown", library=given.name))
-    if not library_text.is_fingerprint(given.signer):
+    if not listing_text.is_fingerprint(given.signer):
         return _no(Reason.of("cli.library_no_fingerprint", text=given.signer))
     trusted = libraries.trust(library, given.signer, _who())
     return _no(trusted.sentence) if isinstance(trusted, Refusal) else 0
@@ -198,6 +200,7 @@ _ACTS: Mapping[str, Callable[[argparse.Namespace, RemoteLibraries], int]] = {
     "update": _update,
     "fetch": _fetch,
     "browse": _browse,
+    "send": lambda given, libraries: sending.carry_out(given, libraries, _today()),
     "remove": _remove,
     "trust": _trust,
 }
@@ -213,12 +216,6 @@ def _days(text: str) -> int:
     if not 1 <= days <= 3660:
         raise argparse.ArgumentTypeError(say(Reason.of("cli.library_days_range")))
     return days
-
-
-def _agrees(question: Reason) -> bool:
-    """Whether somebody at the terminal says yes; in any language `y` will do, and the word's first letter there."""
-    answer = input(say(question) + " ").strip().casefold()
-    return answer[:1] in ("y", "s")
 
 
 def _today() -> date:

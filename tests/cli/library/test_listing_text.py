@@ -1,4 +1,4 @@
-from onika.cli.lines.library_text import changed, entry, is_fingerprint
+from onika.cli.library.listing_text import changed, entry, is_fingerprint
 from onika.files.library_lock import Agreement
 from onika.store.remote.contents import LibraryEntry
 from onika.store.remote.library_changes import LibraryChanges
