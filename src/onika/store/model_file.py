@@ -94,16 +94,17 @@ class _Model:
         except expat.ExpatError as wrong:
             self._fault(path, wrong.lineno, Reason.of("store.no_xml", why=expat.errors.messages[wrong.code]))
             return None
-        changes = [change for element in elements for change in self._changes(element, path, within)]
+        changes = [change for element in elements for change in self._changes(element, content, path, within)]
         parts, end = [], 0
         for begin, stop, new in sorted(changes):
             parts += [content[end:begin], new]
             end = stop
         return b"".join([*parts, content[end:]])
 
-    def _changes(self, element: _Element, path: Path, within: tuple[Path, ...]) -> Iterator[tuple[int, int, bytes]]:
+    def _changes(
+        self, element: _Element, content: bytes, path: Path, within: tuple[Path, ...]
+    ) -> Iterator[tuple[int, int, bytes]]:
         """What is to be replaced in an element: where it begins, where it ends, and the new bytes."""
-        content = _content(path)
         end = content.index(b">", element.at)
         for match in _ATTRIBUTE.finditer(content, element.at, end):
             key, value = match["key"].decode(), element.attributes.get(match["key"].decode(), "")

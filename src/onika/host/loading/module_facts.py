@@ -7,7 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from onika.host.units.world_registry import is_of_files, is_simulated, open_world, world_faults
+from onika.host.units.world_registry import (
+    faults_of,
+    is_of_files,
+    is_simulated,
+    open_world,
+    world_faults,
+)
 from onika.host.units.world_sources import WorldSources
 from onika.runtime.bus import World
 from onika.runtime.modules.binding import locals_of
@@ -82,6 +88,12 @@ class ModuleFacts:
         files = self._sources.find(world)
         if files is None or not is_of_files(world, files):
             return ()
+        try:
+            return faults_of(self._world(files.world))
+        except Exception:
+            return self._why_unopened(world, files)
+
+    def _why_unopened(self, world: str, files: WorldSource) -> tuple[Fault, ...]:
         try:
             return world_faults(files)
         except Exception as wrong:

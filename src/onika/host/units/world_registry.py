@@ -65,6 +65,11 @@ def world_faults(files: WorldSource) -> tuple[Fault, ...]:
     return cast(tuple[Fault, ...], _JUDGE.load()(files))
 
 
+def faults_of(world: World) -> tuple[Fault, ...]:
+    """All that is wrong with the files of a world that could be opened, and left out for that."""
+    return cast(tuple[Fault, ...], getattr(world, "faults", ()))
+
+
 def is_simulated(name: str, files: WorldSource | None = None) -> bool:
     """Whether a world only computes what it shows; one that does not say so counts as real.
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Collection, Mapping
+from copy import copy
 from dataclasses import replace
 
 import mujoco
@@ -19,6 +20,9 @@ _PAPER = (0.96, 0.945, 0.912, 1.0)  # the colour of floors
 
 _FIRST_BIT, _MOST_ALOOF = 16, 12
 """Which bits of contact tell places apart, of robots that do not touch themselves."""
+
+_LARGEST_KEPT = 4 * 2**20
+"""Bytes of a model that is kept once it is compiled; one with large meshes is compiled each time it is wanted."""
 
 NOTHING = ""
 """In place of a robot where none stands."""
@@ -42,6 +46,7 @@ class Composition:
         self.world = sources.world
         usable = usable_parts(sources, self.world.parts, self.faults)
         self.parts, self._sites = usable.parts, usable.sites
+        self._models: dict[object, mujoco.MjModel] = {}
         self._robots: dict[tuple[str, PlaceHand], RobotModel | None] = {}
         self.places = tuple(place for place in self.world.places if self._is_used(place))
         self.standing = {place.name: NOTHING if place.is_empty else self.at(place)[0] for place in self.places}
@@ -87,6 +92,15 @@ class Composition:
 
         Where nobody looks, shapes that are only drawn are left out, unless a robot's inertia is said to be theirs.
         """
+        key = (tuple(standing.items()), tuple(offsets.items()), is_drawn)
+        if key in self._models:
+            return copy(self._models[key])
+        model = self._compiled_world(standing, offsets, is_drawn=is_drawn)
+        if mujoco.mj_sizeModel(model) <= _LARGEST_KEPT:
+            self._models[key] = copy(model)  # whoever gets one may change it
+        return model
+
+    def _compiled_world(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
         try:
             return compiled(self._spec(standing, offsets, is_drawn=is_drawn))
         except ValueError:

@@ -83,6 +83,7 @@ class FingerUnit(RobotUnit):
         sensors = [model.sensor(self._prefix + name) for name in gripper.force]
         self._felt = np.array([int(sensor.adr[0]) for sensor in sensors], dtype=int)
         self._is_felt = bool(sensors)
+        self._pads = tuple(row_of(plant.data.sensordata[at : at + 1]) for at in self.felt_at)
         first = int(self._motors[0])
         data = plant.data
         self._length = row_of(data.actuator_length[first : first + 1])
@@ -120,8 +121,8 @@ class FingerUnit(RobotUnit):
 
     def sense(self) -> None:
         """The mean force that its sensors feel (N)."""
-        if len(self._felt) and self.moved_by is None:
-            self.state[4] = float(self._data.sensordata[self._felt].mean())
+        if self._is_felt and self.moved_by is None:
+            self.row[4] = sum(row[0] for row in self._pads) / len(self._pads)
 
     def _aim(self, opening: float, force: float) -> None:
         if (opening, force) != self._goal:

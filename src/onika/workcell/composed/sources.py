@@ -30,6 +30,7 @@ class SourceTexts:
         self.faults: list[Fault] = []
         self.world: WorldText | None = None
         self.robots: dict[str, RobotText] = {}
+        self._specs: dict[str, mujoco.MjSpec] = {}
         self._needed = {file.name: file.content for file in files.files if "/" not in file.name}
         self._read()
 
@@ -48,7 +49,15 @@ class SourceTexts:
         return self.place_of(f"robot/{robot}{robot_file.ENDING}", line)
 
     def model(self, name: str) -> mujoco.MjSpec:
-        """A model by its name, read anew; raises ValueError with the reason why not."""
+        """A model by its name, a document of its own each time; raises ValueError with the reason why not."""
+        if name in self._specs:
+            return self._specs[name].copy()
+        spec = self._parsed(name)
+        if _counts(spec.copy()) == _counts(spec):  # a copy leaves out what refers to nothing, as no compiler would
+            self._specs[name] = spec.copy()
+        return spec
+
+    def _parsed(self, name: str) -> mujoco.MjSpec:
         file = self.files.find(name)
         if file is None:
             raise ValueError(Reason.of("workcell.model_missing", name=name))
@@ -91,13 +100,24 @@ def first_line(wrong: Exception) -> Reason:
     return Reason.plain(" ".join(str(wrong).split())[:300])
 
 
+def _counts(spec: mujoco.MjSpec) -> list[int]:
+    """How many of each kind of element that may refer to others."""
+    kinds = (spec.geoms, spec.sites, spec.joints, spec.tendons, spec.actuators, spec.sensors, spec.equalities)
+    return [len(elements) for elements in (*kinds, spec.excludes, spec.pairs, spec.skins, spec.keys)]
+
+
 def _drop_missing(spec: mujoco.MjSpec) -> None:
     """Meshes and fields of heights that are not there, with the shapes made of them, and textures."""
     gone = [made for made in (*spec.meshes, *spec.hfields) if made.file.startswith(MISSING)]
+    textures = [texture for texture in spec.textures if any(file.startswith(MISSING) for file in _files(texture))]
+    if gone or textures:
+        _drop(spec, gone, textures)
+
+
+def _drop(spec: mujoco.MjSpec, gone: list[Any], textures: list[Any]) -> None:
     names = {made.name for made in gone}
     for geom in [geom for geom in spec.geoms if geom.meshname in names or geom.hfieldname in names]:
         spec.delete(geom)
-    textures = [texture for texture in spec.textures if any(file.startswith(MISSING) for file in _files(texture))]
     unpainted = {texture.name for texture in textures}
     for material in spec.materials:
         for role, name in enumerate(material.textures):

@@ -55,6 +55,9 @@ class FilmedWorld(FileWorld):
 
     def step(self, until_ns: int) -> None:
         """As any world; the cameras take their pictures between two steps, at their instants."""
+        if not self._films:
+            super().step(until_ns)
+            return
         while (due_ns := min(film.due_ns for film in self._films)) <= until_ns:
             super().step(due_ns)
             for film in self._films:
@@ -108,7 +111,8 @@ class FilmedWorld(FileWorld):
 def _films(files: WorldSource, cameras: Sequence[CameraUnit]) -> tuple[Filming, ...]:
     """All cameras that are rendered together, and each real one by itself."""
     rendered = [unit for unit in cameras if not unit.source]
-    return Filming(files, rendered), *(Filming(files, [unit]) for unit in cameras if unit.source)
+    together = (Filming(files, rendered),) if rendered else ()
+    return *together, *(Filming(files, [unit]) for unit in cameras if unit.source)
 
 
 def judged(files: WorldSource) -> tuple[Fault, ...]:
