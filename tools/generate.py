@@ -22,7 +22,7 @@ import typescript
 import unit_table
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.engine import flow
-from onika.host.units.world_registry import offered_worlds, open_world, split
+from onika.host.units.world_registry import open_world, split
 from onika.link import state
 from onika.model import lifecycle
 from onika.model.application import Application, actions
@@ -34,6 +34,7 @@ from onika.runtime.wiring import WiredTask, wire
 from onika.store.base_directory import BaseDirectory
 from onika.store.shipped import shipped, shipped_directories
 from onika.store.site import Site
+from onika.store.world_source import gather_world
 from onika.wire.sheet import InputSheet, ModuleSheet
 from onika.words.fault import Fault
 
@@ -104,7 +105,7 @@ def laboratory() -> str:
         "## Applications\n",
         _applications(site, syntax),
         "## Devices\n\nA task names its device in its LOCAL block: `DEVICE world:device`. Units are SI.\n",
-        _devices(tasks),
+        _devices(tasks, site),
         "## State variables\n",
         _variables(tasks),
         "## Tasks\n",
@@ -222,11 +223,12 @@ def _jobs_of(application: Application, syntax: Syntax) -> Iterator[str]:
             yield icon.onikon.name
 
 
-def _devices(tasks: list[_Shipped]) -> str:
+def _devices(tasks: list[_Shipped], site: Site) -> str:
     worlds = {split(one.wired.device)[0] for one in tasks if one.wired.device}
     rows = []
-    for world in sorted(worlds.intersection(offered_worlds())):
-        for sheet in open_world(world).devices():
+    for world in sorted(worlds):
+        files, _ = gather_world(world, site)
+        for sheet in open_world(world, files=files).devices() if files else ():
             name = f"{world}:{sheet.name}"
             users = _code(one.task.name for one in tasks if one.wired.device == name)
             rows.append((f"`{name}`", _code(sheet.state[2:]), _code(sheet.command) or "none", users))

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from kit.worlds.box_cells import boxes_world
 from kit.worlds.mjcf_arms import ARMS
 from onika.files import rmod
 from onika.laws import puma560
@@ -18,7 +19,6 @@ from onika.runtime.modules.sheet import differences, sheet_of
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 from onika.words.fault import Place
-from onika.workcell.boxes import BoxesWorld
 
 LABS = Path(__file__).parents[2] / "src" / "onika" / "labs"
 HERE = Path(__file__).parent
@@ -79,7 +79,7 @@ def device_of(task):
         return CELL[task.module](task.module)
     if named in ("bench:lamp", "motor:lamp"):
         return BenchDevice(("on_pad",), (), {"WHEN": "on_pad"})
-    sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
+    sheet = next(device for device in boxes_world().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kit.worlds.box_cells import base_of
 from onika.files import syntax as syntax_file
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
@@ -16,7 +17,6 @@ from onika.model.rules.jigsaw import misfits
 from onika.store.shipped import shipped, shipped_directories
 from onika.store.site import open_site
 from onika.words.value import ValueType
-from onika.workcell.layout import base
 
 SITE = open_site((), {}, None)
 SYNTAX = SITE.syntax()[0]
@@ -273,7 +273,7 @@ def test_no_motion_of_a_puma_needs_more_time_than_its_target_gives(name):
                 break  # it leaves the arm elsewhere
             if job.onikon.name.startswith(MOVES) and not any(other in job.onikon.name for other in OTHERS):
                 side = "right" if "right" in job.onikon.name else "left"
-                arm = serial_arm(puma560.DH, base=base(side), tool=puma560.TOOL)
+                arm = serial_arm(puma560.DH, base=base_of(side), tool=puma560.TOOL)
                 for given, needed, end in seconds_of(job, targets, arm, q):
                     assert given >= needed, (job.onikon.name, targets)
                     q = end

@@ -4,13 +4,13 @@ import mujoco
 import numpy as np
 import pytest
 
+from kit.worlds.box_cells import boxes_world
 from onika.laws import puma560
 from onika.laws.robot import published
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
-from onika.workcell.boxes import BoxesWorld
 
 GENERIC = shipped() / "generic" / "module"
 CONSTANTS = published(puma560, 0.0, 0.0, 0.0, 0.0)
@@ -25,7 +25,7 @@ class Cell:
     """The left arm above the box with the triangle, its servo, and a guarded motion, each at its own rate."""
 
     def __init__(self):
-        self.world = BoxesWorld()
+        self.world = boxes_world()
         for device in (ARM, HAND):
             self.world.claim(device, 1)
         self._begin_above()
@@ -39,7 +39,8 @@ class Cell:
 
     def _begin_above(self):
         arm = next(unit for unit in self.world._acting if unit.sheet.name == ARM)
-        arm.posture[:] = ABOVE
+        where, _ = self.world._plant.joints([*arm.joint_names])
+        self.world._plant.data.qpos[where] = ABOVE
         arm.capture()
         self.world.step(self.world.now_ns + 250 * STEP_NS)
 
@@ -99,7 +100,7 @@ class Cell:
         for number in range(plant.data.ncon):
             contact = plant.data.contact[number]
             names = [plant.model.body(plant.model.geom_bodyid[geom]).name for geom in (contact.geom1, contact.geom2)]
-            if len({name.startswith((ARM, HAND)) for name in names}) == 2:
+            if len({name.startswith("left.") for name in names}) == 2:
                 mujoco.mj_contactForce(plant.model, plant.data, number, force)
                 whole += float(force[0])
         return whole

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from msgspec import convert
 
+from kit.worlds.box_cells import boxes_world
 from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
 from kit.worlds.resettable_masses import ResettableMasses
@@ -17,7 +18,6 @@ from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE, Bus
 from onika.runtime.modules.binding import attach
 from onika.words.reason import Reason
-from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
 
@@ -75,7 +75,7 @@ def test_it_says_how_the_drives_of_its_world_stand(bus, segment):  # law 17
 
 
 def test_a_world_is_drawn_and_touched_by_plain_values(segment):  # R-K06
-    bus = Bus("w", BoxesWorld(), segment)
+    bus = Bus("w", boxes_world(), segment)
     scene = bus.scene()
     assert {shape["name"] for shape in scene["shapes"]} >= {shape.name for shape in bus.world.scene()}
     assert convert(scene["parts"], dict[str, Reason]) == dict(bus.world.parts())
@@ -116,7 +116,7 @@ def test_each_device_has_as_much_room_as_its_values_take(segment):  # law 16
         end = grant.command_offset + Ring.footprint(8 * (2 + command))
 
 
-@pytest.mark.parametrize("world", [MassWorld, BoxesWorld])
+@pytest.mark.parametrize("world", [MassWorld, boxes_world])
 def test_the_rings_of_a_world_do_not_overlap_and_fit(world, segment):  # law 16
     bus, spans = Bus("w", world(), segment), []
     for number, sheet in enumerate(bus.world.devices(), 1):
@@ -267,7 +267,7 @@ def test_a_world_is_simulated_only_where_it_says_so(segment):  # R-E09
         world.is_simulated = word
         kinds.append(Bus("yard", world, segment).is_simulated)
     assert (kinds, Bus("yard", MassWorld(), segment).is_simulated) == ([True, False, False, False], False)
-    assert Bus("boxes", BoxesWorld(), segment).is_simulated
+    assert Bus("boxes", boxes_world(), segment).is_simulated
 
 
 @pytest.mark.parametrize("is_stopped", [False, True])

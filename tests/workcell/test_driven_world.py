@@ -3,17 +3,18 @@
 import math
 from dataclasses import replace
 
+import mujoco
 import numpy as np
 import pytest
 from mujoco import mj_step
 
 from kit.worlds.assembler import DT, Assembler
+from kit.worlds.box_cells import boxes_world
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
 from onika.ring.drive import DriveInput, DriveMode
 from onika.words.reason import NOTHING
-from onika.workcell.boxes import BoxesWorld
 from onika.workcell.driven_world import DrivenWorld
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
@@ -23,7 +24,7 @@ MS = 1_000_000
 
 
 def claimed(*names, epoch=1):
-    world = BoxesWorld()
+    world = boxes_world()
     for name in names:
         world.claim(name, epoch)
     return world
@@ -57,7 +58,7 @@ def test_commands_that_keep_coming_keep_it_driven():
 
 
 def test_a_commanded_hold_does_not_trip_and_the_arm_stays_where_it_was():
-    world = BoxesWorld()
+    world = boxes_world()
     assembler = Assembler(world)
     assembler.turn(np.add(puma560.HOME, [0.3, 0.4, 0.3, 0.2, 0.5, 0.1]))
     there = assembler.q.copy()
@@ -98,7 +99,7 @@ def test_a_stop_is_latched_until_reset_or_until_it_goes_on():  # law 27
 
 
 def test_reset_puts_everything_back_and_clears_latches_and_time_goes_on():
-    world, fresh = BoxesWorld(5, 0.001), BoxesWorld(5, 0.001)
+    world, fresh = boxes_world(5), boxes_world(5)
     assembler = Assembler(world)
     Assembler(fresh)
     assembler.grip(1.0)
@@ -121,7 +122,7 @@ def shown(world, device="arm_left"):
 
 
 def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K06
-    world = BoxesWorld()
+    world = boxes_world()
     left, right = Assembler(world, "left", 1), Assembler(world, "right", 2)
     target = left.reference + 0.3
     for k in range(150):
@@ -160,18 +161,18 @@ def test_a_pressed_panic_button_is_cleared_only_after_it_was_let_go():  # R-K06
     assert shown(world) is DriveState.DRIVEN
 
 
-@pytest.mark.parametrize("leave", [BoxesWorld.go_on, BoxesWorld.reset], ids=["go on", "reset"])
+@pytest.mark.parametrize("leave", ["go_on", "reset"])
 def test_a_button_stays_pressed_over_a_stop_and_over_its_end(leave):  # R-K06, law 27
     world = claimed("arm_left")
     world.stop()
     world.touch("panic_left", 1.0)
     assert shown(world) is DriveState.HELD
-    leave(world)
+    getattr(world, leave)()
     assert shown(world) is DriveState.PRESSED
 
 
 def test_a_part_that_is_not_there_is_refused_with_those_that_are():
-    world = BoxesWorld()
+    world = boxes_world()
     assert list(world.parts()) == ["panic_left", "panic_right"]
     with pytest.raises(ValueError, match=r"panic_left: 1 pressed, 0 let go; panic_right: .*, found 'panic'"):
         world.touch("panic", 1.0)
@@ -195,7 +196,7 @@ def test_commands_of_the_wrong_shape_are_faults():
 
 
 def test_nobody_drives_what_nobody_claims():
-    world = BoxesWorld()
+    world = boxes_world()
     for epoch in (-1, 0, 1):
         world.command("arm_left", epoch, DeviceOrder.DRIVE, np.zeros(6))
     assert world.state("arm_left")[1] == DriveState.HELD
@@ -244,7 +245,7 @@ class RailWorld(DrivenWorld):
     def __init__(self):
         self.car = Car()
         super().__init__([self.car], [PanicButton(self.car)])
-        self._plant = Plant(RAIL)
+        self._plant = Plant(mujoco.MjModel.from_xml_string(RAIL))
         self._advance, self._feel = mj_step, self._plant.sense
         self._bind_units([self.car], [self.car])
 
@@ -276,13 +277,13 @@ def test_silence_holds_and_then_trips():  # R-F01
 
 
 def test_what_is_varied_stays_so_when_an_arm_comes():  # R-X23
-    world = BoxesWorld()
+    world = boxes_world()
     world.vary("mass", 2.0)
-    heavy = world._plant.model.body_mass[world._plant.body("box_waves")]
+    heavy = world._plant.model.body_mass[world._plant.body("box_waves.box")]
     world.claim("arm_left", 1)
-    assert world._plant.model.body_mass[world._plant.body("box_waves")] == pytest.approx(heavy)
-    plain = BoxesWorld()._plant
-    assert heavy == pytest.approx(2.0 * plain.model.body_mass[plain.body("box_waves")])
+    assert world._plant.model.body_mass[world._plant.body("box_waves.box")] == pytest.approx(heavy)
+    plain = boxes_world()._plant
+    assert heavy == pytest.approx(2.0 * plain.model.body_mass[plain.body("box_waves.box")])
 
 
 @pytest.mark.parametrize(
@@ -291,4 +292,4 @@ def test_what_is_varied_stays_so_when_an_arm_comes():  # R-X23
 )
 def test_what_cannot_be_varied_is_refused_with_what_can(name, factor, words):  # R-X23
     with pytest.raises(ValueError, match=words):
-        BoxesWorld().vary(name, factor)
+        boxes_world().vary(name, factor)

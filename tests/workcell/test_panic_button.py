@@ -1,14 +1,18 @@
 import pytest
 
+from onika.ring.device import DeviceSheet
 from onika.ring.drive import DriveInput
-from onika.workcell.arm_unit import ArmUnit
-from onika.workcell.layout import base
 from onika.workcell.panic_button import PanicButton
+from onika.workcell.unit import DeviceUnit
+
+
+def arm(side):
+    return DeviceUnit(DeviceSheet(f"arm_{side}", ("time", "drive"), ("tau1",), {}), side)
 
 
 @pytest.fixture
 def unit():
-    return ArmUnit("right", base("right"))
+    return arm("right")
 
 
 @pytest.fixture
@@ -23,7 +27,7 @@ def test_it_stays_as_it_was_put(button):  # R-K06
 
 
 def test_it_is_called_as_its_world_wants_else_after_the_first_of_its_units(unit):  # R-K06, R-X19
-    other = ArmUnit("left", base("left"))
+    other = arm("left")
     assert PanicButton(unit, other).name == "panic_right"
     assert PanicButton(unit, other, name="big_red").name == "big_red"
 

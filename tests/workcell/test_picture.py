@@ -7,7 +7,7 @@ import zlib
 import numpy as np
 import pytest
 
-from onika.workcell.boxes import BoxesWorld
+from kit.worlds.box_cells import boxes_world
 from onika.workcell.picture import MISSING, main, png
 
 COMMAND = [sys.executable, "-m", "onika.workcell.picture"]
@@ -46,7 +46,7 @@ def test_something_else_than_a_snapshot_is_refused(tmp_path):
 def test_without_opengl_it_says_what_to_install(tmp_path):
     done = subprocess.run(
         [*COMMAND, tmp_path / "out.png"],
-        input=BoxesWorld().snapshot(),
+        input=boxes_world().snapshot(),
         env={**os.environ, "MUJOCO_GL": "disable"},
         capture_output=True,
         check=False,
@@ -58,7 +58,7 @@ def test_without_opengl_it_says_what_to_install(tmp_path):
 
 @pytest.mark.site
 def test_a_snapshot_becomes_a_picture_where_opengl_is_there(tmp_path):
-    world = BoxesWorld()
+    world = boxes_world()
     world.claim("arm_left", 1)
     done = subprocess.run([*COMMAND, tmp_path / "out.png"], input=world.snapshot(), capture_output=True, check=False)
     if done.returncode == 3:

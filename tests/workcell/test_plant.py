@@ -1,16 +1,20 @@
 import numpy as np
 import pytest
 
-from onika.workcell.layout import SIDES, boxes, text
-from onika.workcell.plant import Plant
+from kit.worlds.box_cells import boxes_world
+
+SIDES = ("left", "right")
 
 
 def _plant(*sides):
-    return Plant(text(boxes(0, 0.001), sides, drawn=False))
+    world = boxes_world()
+    for side in sides:
+        world.claim(f"arm_{side}", 1)
+    return world._plant
 
 
 def _row(plant, side):
-    where, rate = plant.joints([f"arm_{side}.joint{k}" for k in range(1, 7)])
+    where, rate = plant.joints([f"{side}.joint{k}" for k in range(1, 7)])
     return plant.data.qpos[where], plant.data.qvel[rate]
 
 
@@ -18,8 +22,8 @@ def test_names_find_neighbouring_numbers():
     plant = _plant("left")
     q, _ = _row(plant, "left")
     q[:] = np.arange(6.0)
-    assert [plant.data.joint(f"arm_left.joint{k}").qpos[0] for k in range(1, 7)] == list(range(6))
-    assert plant.signals(["gripper_left.valve1", "gripper_left.valve2"]) == slice(6, 8)
+    assert [plant.data.joint(f"left.joint{k}").qpos[0] for k in range(1, 7)] == list(range(6))
+    assert plant.signals(["left.hand.valve1", "left.hand.valve2"]) == slice(6, 8)
 
 
 def test_an_unknown_name_is_a_key_error():
@@ -38,7 +42,7 @@ def test_state_is_taken_over_by_name_whatever_stands_before_it():  # law 18
         assert np.array_equal(mine, theirs)
     for mine, was in zip(_row(after, "left"), untouched, strict=True):
         assert np.array_equal(mine, was)
-    assert np.array_equal(after.data.joint("box_square").qpos, before.data.joint("box_square").qpos)
+    assert np.array_equal(after.data.joint("box_square.free").qpos, before.data.joint("box_square.free").qpos)
     assert np.array_equal(after.data.ctrl[8:], before.data.ctrl)
     assert np.array_equal(after.data.act[2:], before.data.act)
 
@@ -77,8 +81,8 @@ def test_what_rubs_and_what_weighs_is_otherwise_once_and_only_what_is_free_weigh
         is_box = plain.model.body(body).name.startswith("box")
         if plain.model.body_mass[body] > 0:
             assert ratio[body] == pytest.approx(3.0 if is_box else 1.0), plain.model.body(body).name
-    assert other.model.body_inertia[other.body("box_waves")] == pytest.approx(
-        3.0 * plain.model.body_inertia[plain.body("box_waves")]
+    assert other.model.body_inertia[other.body("box_waves.box")] == pytest.approx(
+        3.0 * plain.model.body_inertia[plain.body("box_waves.box")]
     )
     assert other.model.body_subtreemass[0] > plain.model.body_subtreemass[0]
 

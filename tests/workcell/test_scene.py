@@ -2,40 +2,51 @@ import mujoco
 import numpy as np
 import pytest
 
+from kit.worlds.box_cells import boxes_world
 from onika.laws.mesh import mesh_name
-from onika.workcell.layout import boxes, text
 from onika.workcell.plant import Plant
-from onika.workcell.scene import looked_at, mesh_of, shapes
+from onika.workcell.scene import BULB, looked_at, mesh_of
 
-DRAWN = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
-SHAPES = shapes(DRAWN)
+WORLD = boxes_world()
+WORLD.claim("arm_left", 1)
+SHAPES = WORLD.scene()
+
+
+def drawn():
+    """The world as it is looked at."""
+    return Plant(WORLD._compile(WORLD._stands.acting, is_drawn=True))
+
+
+def plant_of(text):
+    return Plant(mujoco.MjModel.from_xml_string(text))
 
 
 def test_every_shape_is_plain_data_on_a_body_that_has_a_pose():
-    poses = DRAWN.poses()
+    poses = WORLD.poses()
     for shape in SHAPES:
         assert 0 <= shape.body < len(poses)
         assert all(type(number) is float for number in (*shape.size, *shape.position, *shape.quaternion, *shape.rgba))
         assert shape.kind in ("plane", "box", "sphere", "cylinder", "capsule", "ellipsoid")
 
 
-def test_boxes_are_blue_with_white_signs_and_the_lamp_has_its_name():
-    blue = [shape for shape in SHAPES if shape.paint == "blue"]
-    assert len(blue) == 4
-    assert {shape.body for shape in SHAPES if shape.paint == "white"} == {shape.body for shape in blue}
-    assert [shape.kind for shape in SHAPES if shape.name == "lamp"] == ["ellipsoid"]
+def test_four_boxes_are_blue_with_white_signs_and_the_lamp_shines_in_glass():
+    blue = {shape.body for shape in SHAPES if shape.rgba[2] > 2.0 * shape.rgba[0] and shape.kind == "box"}
+    assert blue == {1, 2, 3, 4}
+    assert {shape.body for shape in SHAPES if min(shape.rgba[:3]) > 0.9 and shape.body in blue} == blue
+    assert [(shape.name, shape.kind) for shape in SHAPES if shape.paint == BULB] == [("box_cross.lamp", "ellipsoid")]
 
 
 def test_hinges_say_where_the_bodies_of_an_arm_come_for_given_angles():  # R-D25
-    plant = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
+    plant = drawn()
     angles = [0.3, -1.2, 0.7, 0.5, -0.4, 1.1]
-    where, _ = plant.joints([f"arm_left.joint{k}" for k in range(1, 7)])
+    where, _ = plant.joints([f"left.joint{k}" for k in range(1, 7)])
     plant.data.qpos[where] = angles
     mujoco.mj_kinematics(plant.model, plant.data)
-    hinges = {shape.body: shape.hinge for shape in shapes(plant) if shape.hinge and shape.hinge.joint}
-    assert len([shape for shape in shapes(plant) if shape.hinge]) == len({shape.body for shape in SHAPES}) - 5
-    links = [(body, hinge) for body, hinge in hinges.items() if hinge.joint.startswith("arm_left.joint")]
-    assert [hinge.joint for _, hinge in links] == [f"arm_left.joint{k}" for k in range(1, 7)]
+    hinges = {shape.body: shape.hinge for shape in looked_at(plant) if shape.hinge and shape.hinge.joint}
+    # the world itself and the four boxes, which are free, hang on nothing
+    assert len([shape for shape in SHAPES if shape.hinge]) == len({shape.body for shape in SHAPES}) - 5
+    links = [(body, hinge) for body, hinge in hinges.items() if hinge.joint.startswith("left.joint")]
+    assert [hinge.joint for _, hinge in links] == [f"left.joint{k}" for k in range(1, 7)]
     poses = plant.poses()
     for (body, hinge), angle in zip(links, angles, strict=True):
         assert np.allclose(hung(poses[hinge.carrier], hinge, angle), poses[body][:3], atol=1e-5)
@@ -54,26 +65,25 @@ def hung(carrier, hinge, angle):
 
 
 def test_what_lies_free_hangs_on_nothing():
-    free = {shape.hinge for shape in SHAPES if shape.paint == "blue"}
+    free = {shape.hinge for shape in SHAPES if shape.body in (1, 2, 3, 4)}
     assert free == {None}
 
 
 def test_of_a_body_that_is_drawn_what_only_touches_is_left_out():  # R-X19
-    plant = Plant(
+    plant = plant_of(
         '<mujoco><worldbody><body name="a"><joint name="j"/><geom name="touch" size="1" group="3"/>'
         '<geom name="seen" size="1" group="2" rgba="1 0 0 1"/></body>'
         '<body name="b"><geom name="only" size="1" group="3"/></body></worldbody></mujoco>'
     )
     seen, only = looked_at(plant)
     assert (seen.name, seen.hinge.joint, seen.rgba, only.name) == ("seen", "j", (1.0, 0.0, 0.0, 1.0), "only")
-    assert [shape.name for shape in shapes(plant)] == ["touch", "seen", "only"]
 
 
 def test_a_mesh_has_a_name_and_stands_in_the_box_around_it():  # R-X19
     corners = " ".join(f"{x} {y} {z}" for x in (0, 2) for y in (0, 4) for z in (0, 6))
     mesh = f'<asset><mesh name="m" vertex="{corners}"/></asset>'
-    plant = Plant(f'<mujoco>{mesh}<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>')
-    (box,) = shapes(plant)
+    plant = plant_of(f'<mujoco>{mesh}<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>')
+    (box,) = looked_at(plant)
     assert (box.kind, box.mesh) == ("mesh", mesh_name(*mesh_of(plant.model, 0)))
     assert sorted(box.size) == pytest.approx([1.0, 2.0, 3.0], abs=1e-4)
     assert box.position == pytest.approx((1.0, 2.0, 3.0), abs=1e-4)
@@ -82,5 +92,5 @@ def test_a_mesh_has_a_name_and_stands_in_the_box_around_it():  # R-X19
 def test_a_joint_says_whether_it_slides():  # R-D25
     joints = '<joint name="{0}" type="{0}"/><geom size="1"/>'
     bodies = "".join(f"<body>{joints.format(kind)}</body>" for kind in ("slide", "hinge"))
-    slide, hinge = shapes(Plant(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
+    slide, hinge = looked_at(plant_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
     assert (slide.hinge.slides, hinge.hinge.slides) == (True, False)

@@ -19,12 +19,13 @@ from onika.host.program import RuntimeProgram
 from onika.host.units.realtime_scheduling import still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
+from onika.store.world_source import gather_world
 from onika.wire import request
-from onika.workcell import boxes
+from onika.workcell.cell import file_world
+from onika.workcell.cell.file_world import FileWorld
 
 APPLICATION = "assemble_together"
 LEAST_SPEED, MOST_PHYSICS = 10.0, 3.5
-OFFSETS_M = 0.001
 _LOOK_NS = 20_000_000
 _FAR_M = 1.0
 
@@ -32,7 +33,7 @@ _FAR_M = 1.0
 class Clearance:
     """The least distance between the two arms, looked at every 20 ms."""
 
-    def __init__(self, world: boxes.BoxesWorld) -> None:
+    def __init__(self, world: FileWorld) -> None:
         self.least_m, self.at_s = _FAR_M, 0.0
         self._world = world
         self._next_ns = 0
@@ -50,13 +51,14 @@ class Clearance:
 
     def _shapes(self, side: str) -> list[int]:
         model = self._world._plant.model
-        prefixes = (f"arm_{side}", f"gripper_{side}")
-        return [k for k in range(model.ngeom) if model.body(model.geom_bodyid[k]).name.startswith(prefixes)]
+        return [k for k in range(model.ngeom) if model.body(model.geom_bodyid[k]).name.startswith(f"{side}.")]
 
 
 def moved_run(prepared: Preparation, seed: int, *, with_clearance: bool) -> tuple[bool, Clearance]:
     """One run with every box moved by up to a millimetre: whether the lamp lit, and how near the arms came."""
-    world = boxes.BoxesWorld(seed, OFFSETS_M)
+    files, _ = gather_world("boxes", open_site([], {}, None))
+    assert files is not None
+    world = FileWorld(files, seed)
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: world)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
@@ -80,9 +82,9 @@ def main() -> None:
     assert planned.plan is not None, planned.faults
     prepared = prepare(planned.plan, planned.targets, ModuleFacts())
     recorder = Recorder()
-    real_step, boxes.mj_step = boxes.mj_step, recorder
+    real_step, file_world.mj_step = file_world.mj_step, recorder
     whole_run(prepared)
-    boxes.mj_step = real_step
+    file_world.mj_step = real_step
     still_garbage()  # as in the runtime itself
     speeds, ratios = [], []
     for _ in range(given.rounds):
@@ -94,7 +96,7 @@ def main() -> None:
     print(f"              {ratio:.2f}x their own physics ({MOST_PHYSICS:g} at most)")
     runs = [moved_run(prepared, seed, with_clearance=seed == 0) for seed in range(given.seeds)]
     lit = sum(is_lit for is_lit, _ in runs)
-    print(f"boxes moved   {lit} of {len(runs)} lamps lit with boxes up to {OFFSETS_M * 1e3:g} mm elsewhere")
+    print(f"boxes moved   {lit} of {len(runs)} lamps lit with boxes up to a millimetre elsewhere")
     print(f"arms          {runs[0][1].least_m * 1e3:.0f} mm apart at the nearest, at {runs[0][1].at_s:.2f} s")
 
 

@@ -26,7 +26,7 @@ from onika.host.units.realtime_scheduling import still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.wire import event, request
-from onika.workcell import boxes
+from onika.workcell.cell import file_world
 
 
 class Silent:
@@ -117,9 +117,9 @@ def main() -> None:
     assert planned.plan is not None, planned.faults
     prepared = prepare(planned.plan, planned.targets, ModuleFacts())
     recorder = Recorder()
-    real_step, boxes.mj_step = boxes.mj_step, recorder
+    real_step, file_world.mj_step = file_world.mj_step, recorder
     whole_run(prepared)
-    boxes.mj_step = real_step
+    file_world.mj_step = real_step
     still_garbage()  # as in the runtime itself
     totals, physics, result = [], [], None
     for _ in range(given.rounds):

@@ -2,7 +2,7 @@
 
 An identity is flat: rows of doubles and texts. SCREW, LINK, PARENT, TOOL, BASE, QMIN, QMAX, Q^_MAX, TAUMAX and HOME
 have the units and frames of the constants of these names, ROBOT is its kind, DRIVE what a command consists of:
-position, velocity or torque.
+position, velocity, torque, or posture where no forces act (`WITHOUT_FORCES`).
 """
 
 from collections.abc import Mapping
@@ -15,6 +15,9 @@ from onika.laws.screws import parents, screws
 from onika.laws.sentence import LawSentence
 
 Identity = Mapping[str, Any]
+
+WITHOUT_FORCES = "posture"
+"""What drives a device of joints in a world without forces: joint values, where it then is."""
 
 _ROWS = ("QMIN", "QMAX", "Q^_MAX", "HOME")
 _ARM_ROWS = (*_ROWS, "TAUMAX")

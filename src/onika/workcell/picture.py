@@ -14,7 +14,6 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from onika.workcell.box import GLOWS
 from onika.workcell.snapshot import WorldSnapshot, decode
 from onika.workcell.view import CAMERA
 
@@ -62,7 +61,7 @@ def _probe() -> int:
     if _WAY not in os.environ:
         return _in_a_child("--probe", b"")
     try:
-        draw(WorldSnapshot(_EMPTY, (), 0.0, False), (64, 48))
+        draw(WorldSnapshot(_EMPTY, 0.0), (64, 48))
     # whatever a graphics driver or its loader raises means the same here
     except Exception as fault:
         return _say(f"{MISSING} ({os.environ[_WAY]}: {fault})", 3)
@@ -75,14 +74,6 @@ def draw(snapshot: WorldSnapshot, size: tuple[int, int] = SIZE) -> Pixels:
 
     model = mujoco.MjModel.from_xml_string(snapshot.mjcf)
     data = mujoco.MjData(model)
-    data.qpos[:] = snapshot.qpos
-    if snapshot.lit:
-        for k in range(GLOWS):
-            model.geom(f"lamp.glow{k}").matid = -1
-            model.geom(f"lamp.glow{k}").rgba = (1.0, 0.80, 0.25, 0.30 / (k + 1))
-        model.geom("lamp").matid = -1
-        model.geom("lamp").rgba = (1.0, 0.95, 0.70, 1.0)
-        model.light("lamp").active = 1
     mujoco.mj_forward(model, data)
     renderer = mujoco.Renderer(model, size[1], size[0])
     try:

@@ -14,9 +14,8 @@ _FEELING, _NUMB = 0, int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 class Plant:
     """One model and its data. Arrays handed out are views that live as long as the plant."""
 
-    def __init__(self, source: str | mujoco.MjModel) -> None:
-        """Of a document in MJCF, or of a model that is compiled already."""
-        self.model = mujoco.MjModel.from_xml_string(source) if isinstance(source, str) else source
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self.model = model
         self.data = mujoco.MjData(self.model)
         self._option = self.model.opt
         self._measured_at = -1.0
@@ -25,10 +24,6 @@ class Plant:
     def body(self, name: str) -> int:
         """Number of a body; raises KeyError for an unknown name."""
         return int(self.model.body(name).id)
-
-    def shape(self, name: str) -> int:
-        """Number of a shape; raises KeyError for an unknown name."""
-        return int(self.model.geom(name).id)
 
     def site(self, name: str) -> int:
         """Number of a marked place; raises KeyError for an unknown name."""
@@ -43,11 +38,6 @@ class Plant:
     def signals(self, names: list[str]) -> slice:
         """Where neighbouring actuators stand in ctrl."""
         first = int(self.model.actuator(names[0]).id)
-        return slice(first, first + len(names))
-
-    def sensors(self, names: list[str]) -> slice:
-        """Where neighbouring scalar sensors stand in sensordata."""
-        first = int(self.model.sensor(names[0]).adr[0])
         return slice(first, first + len(names))
 
     def vary(self, factors: Mapping[str, float]) -> None:

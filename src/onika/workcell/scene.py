@@ -57,11 +57,6 @@ class Hinge3d:
     anchor: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 
-def shapes(plant: Plant) -> list[Shape3d]:
-    """All shapes of a drawn world, in MuJoCo's order."""
-    return _shapes(plant.model, range(plant.model.ngeom))
-
-
 def looked_at(plant: Plant) -> list[Shape3d]:
     """The shapes of a world that are there to be seen: of a body that has such, those that only touch are left out.
 

@@ -4,12 +4,10 @@ import msgspec
 
 
 class WorldSnapshot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The drawn world's document, the positions of all its joints, its time and whether the lamp is lit."""
+    """The document of everything that is seen, where it is then, and the world's time."""
 
     mjcf: str
-    qpos: tuple[float, ...]
     time_s: float
-    lit: bool
 
 
 def encode(snapshot: WorldSnapshot) -> bytes:

@@ -5,6 +5,7 @@ import signal
 import pytest
 
 from kit.plans.plan_builder import PlanBuilder, action
+from kit.worlds.box_cells import boxes_files
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
@@ -44,6 +45,7 @@ class Run:
         on = {"gripper": rtpus[0], "opengrip": rtpus[-1]}
         subsystems = {0: RunningSubsystem("flow0", table, prepared.flows[0], on)}
         self.runner = Runner(prepared, Begin(watch=("GRIP_MEZ",)), subsystems, self.driver, self.told.append)
+        self.driver.offer((boxes_files(),))
         self.driver.listen(self.runner)
         self.driver.begin()
         self.runner.start(self.driver.now)
@@ -181,6 +183,7 @@ def fails(*_args):
 
 def test_a_device_whose_claim_was_given_up_is_nobodys_and_can_be_claimed_again(monkeypatch):  # R-X24, law 18
     driver = WallDriver(("rt0",), lambda _: None, with_fifo=False)
+    driver.offer((boxes_files(),))
     try:
         driver.grant("rt0", "boxes:arm_left")  # its world is open from now on
         with monkeypatch.context() as broken:
@@ -195,6 +198,7 @@ def test_a_device_whose_claim_was_given_up_is_nobodys_and_can_be_claimed_again(m
 
 def test_a_look_at_a_world_that_is_broken_off_shows_nothing_and_ends_nothing(monkeypatch):  # R-X24
     driver = WallDriver(("rt0",), lambda _: None, with_fifo=False)
+    driver.offer((boxes_files(),))
     try:
         driver.grant("rt0", "boxes:arm_left")
         with monkeypatch.context() as broken:

@@ -111,7 +111,3 @@ def test_the_files_of_a_world_are_found_without_executing_any(package):
 @pytest.mark.parametrize("module", ["", "nowhere", "plant_of_test.nowhere.north", "json.nowhere", "sys", "sys.north"])
 def test_of_what_is_not_there_or_has_no_file_nothing_is_watched(package, module):
     assert source_files(module) == ()
-
-
-def test_a_shipped_world_is_watched_where_it_is_installed():
-    assert "boxes.py" in {path.name for path in source_files(module_of("boxes"))}

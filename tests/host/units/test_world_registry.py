@@ -4,8 +4,14 @@ import sys
 import pytest
 from hypothesis import given, strategies as st
 
+from kit.worlds.box_cells import boxes_files
 from kit.worlds.installed_world import CELL, install_world
-from onika.host.units.world_registry import is_simulated, offered_worlds, open_world, refuse_unknown, split
+from onika.host.units import world_registry
+from onika.host.units.world_registry import is_simulated, offered_worlds, refuse_unknown, split
+
+
+def open_world(name, shake=None, **more):
+    return world_registry.open_world(name, shake, boxes_files(), **more)
 
 
 @pytest.fixture
@@ -34,13 +40,23 @@ def test_a_shaken_world_has_its_things_a_little_elsewhere_the_same_for_one_seed(
     assert abs(poses[3] - poses[1]).max() > 1e-5
 
 
-def test_a_world_that_cannot_be_shaken_is_as_it_is(monkeypatch):  # R-X07
-    monkeypatch.delattr("onika.workcell.boxes.BoxesWorld.shaken")
-    assert (open_world("boxes", 1).poses() == open_world("boxes").poses()).all()
+@pytest.mark.usefixtures("cell")
+def test_an_installed_world_that_cannot_be_shaken_is_as_it_is():  # R-X07
+    assert (open_world("cell", 1).poses() == open_world("cell").poses()).all()
 
 
+def test_an_installed_world_that_can_be_shaken_is(tmp_path, monkeypatch):  # R-X07
+    shaken = "\n    @classmethod\n    def shaken(cls, seed):\n        cls.seed = seed\n        return cls()\n"
+    install_world(tmp_path, "loose", CELL + shaken)
+    monkeypatch.syspath_prepend(tmp_path)
+    importlib.invalidate_caches()
+    assert open_world("loose", 7).seed == 7
+    sys.modules.pop("loose_of_test", None)
+
+
+@pytest.mark.usefixtures("cell")
 def test_an_unknown_world_names_those_there_are():  # law 16
-    with pytest.raises(ValueError, match=r"expected a world \(boxes.*\), found 'atlantis'"):
+    with pytest.raises(ValueError, match=r"expected a world \(cell, silent\), found 'atlantis'"):
         open_world("atlantis")
 
 
@@ -58,7 +74,7 @@ def test_a_copy_of_a_simulated_world_is_a_world_of_its_own():  # R-E09
     here, there = open_world("boxes"), open_world("boxes@copy")
     here.claim("arm_left", 1)
     there.claim("arm_left", 2)
-    assert (is_simulated("boxes"), is_simulated("boxes@copy")) == (True, True)
+    assert (is_simulated("boxes", boxes_files()), is_simulated("boxes@copy", boxes_files())) == (True, True)
     for name in ("boxes@", "@copy", "atlantis@copy"):
         with pytest.raises(ValueError, match=f"found '{name}'"):
             open_world(name)
@@ -66,7 +82,7 @@ def test_a_copy_of_a_simulated_world_is_a_world_of_its_own():  # R-E09
 
 @pytest.mark.usefixtures("cell")
 def test_a_world_that_does_not_say_that_it_is_simulated_is_real_and_no_copy_is_made_of_it():  # R-E09
-    assert offered_worlds() == ("boxes", "cell", "silent")
+    assert offered_worlds() == ("cell", "silent")
     for name in ("cell", "silent"):
         assert is_simulated(name) is False
         open_world(name)

@@ -9,10 +9,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 
+from kit.worlds.box_cells import boxes_files
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.sheet import ModuleSheet
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 
 _PORTS = {
@@ -87,12 +89,21 @@ class PlanBuilder:
         """A plan called `test` whose flows are flow0, flow1, …; actions stand in lines 1, 2 …, then 101, 102 …"""
         planned = tuple(self._flow(number, flow) for number, flow in enumerate(flows))
         used = {task.digest for flow in planned for task in flow.tasks}
-        return Plan("test", planned, tuple(code for digest, code in self._code.items() if digest in used))
+        codes = tuple(code for digest, code in self._code.items() if digest in used)
+        return Plan("test", planned, codes, worlds=_worlds(planned))
 
     def _flow(self, number: int, flow: Sequence[Action]) -> PlannedFlow:
         names = dict.fromkeys(name for action in flow for name in action.tasks)
         actions = tuple(_planned(number, index, action) for index, action in enumerate(flow))
         return PlannedFlow(f"flow{number}", tuple(self._tasks[name] for name in names), actions)
+
+
+def _worlds(flows: Sequence[PlannedFlow]) -> tuple[WorldSource, ...]:
+    """The shipped worlds that are files, where a task has a device of such a one."""
+    lines = (line for flow in flows for task in flow.tasks for line in task.local)
+    devices = (words[0] for key, words in lines if key == "DEVICE" and words)
+    is_of_boxes = any(device.partition(":")[0].partition("@")[0] == "boxes" for device in devices)
+    return (boxes_files(),) if is_of_boxes else ()
 
 
 def _planned(flow: int, index: int, action: Action) -> PlannedAction:

@@ -1,6 +1,6 @@
 """The box assembly of chapter 6 by hand: a whole control system in one loop moves a world, with no runtime between.
 
-world = BoxesWorld(seed, 0.001)
+world = boxes_world(seed)
 assembler = Assembler(world)
 assembler.assemble()
 """
@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from kit.worlds.box_cells import LAYOUT_M, TOP_M
 from onika.laws import puma560
 from onika.laws.filter import Derivative
 from onika.laws.frames import Array, pose_of_nine
@@ -18,9 +19,7 @@ from onika.laws.inverse import serial_inverse
 from onika.laws.path import StraightLine, joint_duration, quintic
 from onika.laws.textbook import serial_arm
 from onika.ring.device import DeviceOrder
-from onika.workcell.boxes import BoxesWorld
-from onika.workcell.layout import LAYOUT_M
-from onika.workcell.table import TOP_M
+from onika.workcell.cell.file_world import FileWorld
 
 DT = 0.002
 GRASP_M = TOP_M + 0.0254
@@ -31,7 +30,7 @@ _LIFTED = [0.0, -0.7, 2.9, 0.0, 1.0, 1.36]
 class Assembler:
     """One arm with its hand: gravity model, joint servo, path, straight line and inverse kinematics."""
 
-    def __init__(self, world: BoxesWorld, side: str = "left", epoch: int = 1) -> None:
+    def __init__(self, world: FileWorld, side: str = "left", epoch: int = 1) -> None:
         self.world, self.epoch = world, epoch
         self.arm, self.hand = f"arm_{side}", f"gripper_{side}"
         sheet = world.claim(self.arm, epoch)

@@ -2,11 +2,16 @@
 
 from pathlib import Path
 
-CELL = """from onika.workcell.boxes import BoxesWorld
+CELL = """from onika.store.site import open_site
+from onika.store.world_source import gather_world
+from onika.workcell.filmed.filmed_world import FilmedWorld
 
 
-class Cell(BoxesWorld):
+class Cell(FilmedWorld):
     is_simulated = False
+
+    def __init__(self):
+        super().__init__(gather_world("boxes", open_site((), {}, None))[0])
 """
 """The same devices as `boxes`; nothing tells whoever asks that no machine moves."""
 

@@ -10,10 +10,10 @@ from msgspec import structs
 
 from kit.record.drive_replay import complaints, complaints_of_recordings
 from kit.record.recording_builder import RecordingBuilder
+from kit.worlds.box_cells import boxes_world
 from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.drive import DriveInput, DriveMode
 from onika.wire import event
-from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
 ARM = "arm_left"
@@ -25,7 +25,7 @@ class Course:
     """A world with one arm, and all that its drive has told."""
 
     def __init__(self):
-        self.world = BoxesWorld()
+        self.world = boxes_world()
         self.count = len(self.world.claim(ARM, 1).command)
         self.events = []
 

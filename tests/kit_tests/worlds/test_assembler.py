@@ -2,13 +2,12 @@ import numpy as np
 import pytest
 
 from kit.worlds.assembler import Assembler
-from onika.workcell.boxes import BoxesWorld
-from onika.workcell.layout import LAYOUT_M
+from kit.worlds.box_cells import LAYOUT_M, boxes_world
 
 
 @pytest.fixture
 def assembler():
-    return Assembler(BoxesWorld())
+    return Assembler(boxes_world())
 
 
 def test_an_arm_is_turned_above_a_place(assembler):

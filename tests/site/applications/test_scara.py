@@ -5,6 +5,7 @@ from msgspec.structs import replace
 
 from kit.labs.laboratory import Laboratory, job, joints, target
 from kit.runtime.direct_client import OpenGate
+from kit.worlds.box_cells import boxes_world
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts
@@ -14,7 +15,6 @@ from onika.host.units.virtual import VirtualDriver
 from onika.laws import adept_one, reach
 from onika.store.site import open_site
 from onika.wire import event, request
-from onika.workcell.boxes import BoxesWorld
 
 pytestmark = pytest.mark.site
 
@@ -88,11 +88,11 @@ class Redirection:
         return replace(flow, tasks=tasks, actions=actions)
 
 
-def told_of(plan, targets, seed=0, offsets_m=0.0):
+def told_of(plan, targets, seed=None):
     """Everything that is told of a run in virtual time, and its world."""
     server, preparation = OpenGate(), prepare(plan, targets, ModuleFacts())
     assert preparation.faults == []
-    world = BoxesWorld(seed, offsets_m)
+    world = boxes_world(seed)
     driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), server.tell, worlds=lambda _name: world)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0", "rt1"))
     program.applications.take("me", preparation)
@@ -110,7 +110,7 @@ def result_of(planned, **more):
 
 @pytest.mark.parametrize("robot", ["puma_kin", "scara", "scara_kin"])
 def test_the_pumas_assembly_lights_the_lamp_with_another_robot(tmp_path, robot):  # R-K03, R-E09
-    result = result_of(Redirection(tmp_path, "assemble", {"puma": robot}), seed=1, offsets_m=0.001)
+    result = result_of(Redirection(tmp_path, "assemble", {"puma": robot}), seed=1)
     assert (result.completed, result.values["LAMP"]) == (True, 1)
 
 

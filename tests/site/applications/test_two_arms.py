@@ -5,6 +5,7 @@ import json
 import pytest
 
 from kit.runtime.direct_client import OpenGate
+from kit.worlds.box_cells import boxes_world
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts
@@ -13,7 +14,6 @@ from onika.host.program import RuntimeProgram
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.wire import event, request
-from onika.workcell.boxes import BoxesWorld
 
 pytestmark = pytest.mark.site
 
@@ -51,7 +51,7 @@ def test_boxes_that_stand_a_millimetre_elsewhere_are_put_together_as_well(seed):
     planned = prepare_run("assemble_together", open_site([], {}, None))
     assert planned.faults == ()
     server = OpenGate()
-    driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: BoxesWorld(seed, 0.001))
+    driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: boxes_world(seed))
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.applications.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.applications.begin("me", request.Begin(watch=("LAMP",)))

@@ -11,8 +11,10 @@ from onika.model.world import WorldText
 from onika.workcell.cell.cell_thing import FLOOR, FREE, HAND, CellThing, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.usable_parts import FREE_JOINT, prefix_of
-from onika.workcell.contacts import DEEP_M
 from onika.workcell.plant import Plant
+
+DEEP_M = 0.001
+"""How far things reach into each other that touch and are not meant to, where there are no forces."""
 
 _FAR_LINKS = 3  # bodies of an arm nearer than so many links reach into each other in many models
 

@@ -8,12 +8,14 @@ import numpy as np
 from onika.laws.frames import Array
 from onika.model.world import WorldText
 from onika.words.reason import Reason
+from onika.workcell.cell.cell_contacts import DEEP_M
 from onika.workcell.cell.cell_thing import FREE, CellThing, called_arm, called_hand, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
-from onika.workcell.contacts import DEEP_M
 from onika.workcell.gripping.tool_frame import ToolFrame
-from onika.workcell.hindrance import PRESSED_N
 from onika.workcell.plant import Plant
+
+PRESSED_N = 5.0
+"""How hard two things press on each other of which one is in the other's way; what lies there presses less."""
 
 
 class CellHindrance:

@@ -7,6 +7,7 @@ holds or drops it, and a part that falls to the floor.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -23,12 +24,31 @@ from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.gripping.finger_way import FingerWay
 from onika.workcell.gripping.forceless import Forceless
 from onika.workcell.gripping.tool_frame import ToolFrame
-from onika.workcell.lookout import MOST, Advance, with_looks
 from onika.workcell.plant import Plant
 
+MOST = 50
+"""Mishaps that are told of one world; one that has so many needs no more of them."""
+
+_EVERY_NS = 8_000_000  # how often it looks: what touches something is not gone again sooner
 _AGAIN_NS = 500_000_000  # how long two things were apart that meet anew
 
+Advance = Callable[[Any, Any], None]
 Pair = tuple[CellThing, CellThing]
+
+
+def with_looks(advance: Advance, look: Callable[[int], None], now: Callable[[], int]) -> Advance:
+    """What makes a step, and looks every 8 ms of the world's time."""
+    due_ns = now() + _EVERY_NS
+
+    def step(model: Any, data: Any) -> None:
+        nonlocal due_ns
+        advance(model, data)
+        now_ns = now()
+        if now_ns >= due_ns:
+            due_ns = now_ns + _EVERY_NS
+            look(now_ns)
+
+    return step
 
 
 class CellLookout:

@@ -143,7 +143,7 @@ class FileWorld(DrivenWorld):
         glows = [(name, bool(lamp.flags.all())) for lamp in self._lamps for name in lamp.lamp.glows]
         lit, dark = ([name for name, shines in glows if shines is wanted] for wanted in (True, False))
         picture = still(drawn, self.poses(), self.lit, lit, dark)
-        return encode(WorldSnapshot(picture, (), self.now_ns * 1e-9, False))
+        return encode(WorldSnapshot(picture, self.now_ns * 1e-9))
 
     def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
         return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)

@@ -12,6 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from onika.laws.arm_identity import WITHOUT_FORCES
 from onika.laws.frames import Array
 from onika.model.robot import Numbers
 from onika.ring.device import DeviceSheet
@@ -37,6 +38,7 @@ class JointUnit(RobotUnit):
         self.facts = facts
         joints = range(1, len(facts.joints) + 1)
         identity = dict(facts.constants) | ({"BASE": base} if facts.start else {})
+        identity["DRIVE"] = self._driven()
         state = ("time", "drive", *(f"{what}{k}" for what in self._published() for k in joints))
         command = tuple(f"{what}{k}" for what in self._commanded() for k in joints)
         super().__init__(DeviceSheet(name + self.mode, state, command, identity), robot, place, prefix, step_s)
@@ -52,6 +54,10 @@ class JointUnit(RobotUnit):
 
     def _commanded(self) -> tuple[str, ...]:
         return _COMMANDS[self.facts.drive]
+
+    def _driven(self) -> str:
+        """What a command consists of, as its identity says it."""
+        return self.facts.drive
 
     @property
     def joint_names(self) -> tuple[str, ...]:
@@ -167,6 +173,9 @@ class KinematicJointUnit(JointUnit):
     def _commanded(self) -> tuple[str, ...]:
         return ("q",)
 
+    def _driven(self) -> str:
+        return WITHOUT_FORCES
+
     @property
     def runs_on(self) -> bool:
         """It does not."""
@@ -181,8 +190,8 @@ class KinematicJointUnit(JointUnit):
         return True
 
     def capture(self) -> None:
-        """Stay where it is told to go."""
-        self._stay()
+        """Stay where it is."""
+        self.rest()
 
     def move(self) -> None:
         """One step towards what was commanded last."""

@@ -7,7 +7,7 @@ from onika.wire import act, live, request
 from onika.words.reason import Reason
 
 HOLDS = Reason.of(
-    "workcell.hand_holds", hand=Reason.of("workcell.the_hand"), box=Reason.of("workcell.the_box_triangle")
+    "workcell.hand_holds", hand=Reason.of("workcell.the_hand"), box=Reason.plain("the box with the triangle")
 )
 
 AWAY = Reason.of("workcell.arm_away", arm=Reason.of("workcell.the_arm"))

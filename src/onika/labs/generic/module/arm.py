@@ -3,6 +3,7 @@
 import numpy as np
 
 from onika.laws.arm import ArmModel
+from onika.laws.arm_identity import driven_otherwise
 from onika.laws.arm_reach import ArmReach
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
@@ -73,7 +74,8 @@ class Arm(ArmReach, Module):
     @classmethod
     def fits(cls, constants, local_values):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
-        return unlike(constants["ROBOT"], constants, local_values)
+        other = unlike(constants["ROBOT"], constants, local_values)
+        return other or (driven_otherwise(local_values, "torque") if "DRIVE" in local_values else None)
 
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):

@@ -1,6 +1,6 @@
 """An arm without forces."""
 
-from onika.laws.arm_identity import arm_constants
+from onika.laws.arm_identity import WITHOUT_FORCES, arm_constants, driven_otherwise
 from onika.laws.arm_reach import ArmReach
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
@@ -81,8 +81,10 @@ class ArmKin(ArmReach, Module):
     @classmethod
     def fits(cls, constants, local_values):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
-        name = constants["ROBOT"] if "SCREW" in local_values else f"{constants['ROBOT']}_kin"
-        return unlike(name, constants, local_values)
+        if "DRIVE" in local_values:
+            other = unlike(constants["ROBOT"], constants, local_values)
+            return other or driven_otherwise(local_values, WITHOUT_FORCES)
+        return unlike(f"{constants['ROBOT']}_kin", constants, local_values)
 
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):

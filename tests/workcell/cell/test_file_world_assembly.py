@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from kit.worlds.assembler import DT, GRASP_M, Assembler
+from kit.worlds.box_cells import boxes_world
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
 
@@ -17,7 +17,7 @@ def lit(world):
 
 
 def claimed(*names, epoch=1):
-    world = BoxesWorld()
+    world = boxes_world()
     for name in names:
         world.claim(name, epoch)
     return world
@@ -28,18 +28,18 @@ def claimed(*names, epoch=1):
 
 @pytest.mark.parametrize(("seed", "side"), [pytest.param(1, "left", marks=pytest.mark.slow), (2, "right")])
 def test_twenty_four_actions_light_the_lamp(seed, side):  # R-K01, R-K02
-    world = BoxesWorld(seed, 0.001)
+    world = boxes_world(seed)
     assembler = Assembler(world, side)
     assert len(assembler.actions()) == 24
     assembler.assemble()
     assert lit(world)
-    assert world.lit == ("lamp",)
+    assert world.lit == ("box_cross.lamp",)
     assert assembler.worst < 0.01
     assert [event.state for event in world.take_events()] == [DriveState.DRIVEN, DriveState.DRIVEN]
 
 
 def test_a_forgotten_close_leaves_it_dark():  # R-K01
-    world = BoxesWorld(1, 0.001)
+    world = boxes_world(1)
     assembler = Assembler(world)
     assembler.assemble(left_out=(11,))
     assert not lit(world)
@@ -48,7 +48,7 @@ def test_a_forgotten_close_leaves_it_dark():  # R-K01
 
 
 def test_a_grasped_box_is_held_by_friction_and_felt_by_the_pads():
-    world = BoxesWorld()
+    world = boxes_world()
     assembler = Assembler(world)
     assembler.assemble(left_out=range(5, 24))
     hand = world.state("gripper_left")
@@ -58,7 +58,7 @@ def test_a_grasped_box_is_held_by_friction_and_felt_by_the_pads():
 
 
 def test_two_arms_work_in_one_world_and_one_holds_while_the_other_moves():  # R-K02
-    world = BoxesWorld()
+    world = boxes_world()
     left, right = Assembler(world, "left", 1), Assembler(world, "right", 2)
     target = left.above("triangle")
     start = left.reference.copy()
@@ -77,14 +77,14 @@ def test_two_arms_work_in_one_world_and_one_holds_while_the_other_moves():  # R-
 def test_equal_runs_are_equal_to_the_last_bit():
     marks = []
     for _ in range(2):
-        world = BoxesWorld(3, 0.001)
+        world = boxes_world(3)
         assembler = Assembler(world)
         assembler.grip(1.0)
         world.claim("arm_right", 2)
         assembler.turn(puma560.HOME + 0.1)
         marks.append(world.fingerprint())
     assert marks[0] == marks[1]
-    assert BoxesWorld(4, 0.001).fingerprint() != BoxesWorld(3, 0.001).fingerprint()
+    assert boxes_world(4).fingerprint() != boxes_world(3).fingerprint()
 
 
 def test_one_long_step_is_many_short_ones():
@@ -109,7 +109,7 @@ def test_time_goes_in_whole_steps_and_not_beyond_what_is_asked():
 
 
 def test_devices_are_named_before_they_are_in_the_world():
-    world = BoxesWorld()
+    world = boxes_world()
     names = [sheet.name for sheet in world.devices()]
     arms = {f"{kind}_{side}{mode}" for kind in ("arm", "scara") for side in ("left", "right") for mode in ("", "_kin")}
     assert set(names) == arms | {"gripper_left", "gripper_right", "lamp"}
@@ -126,7 +126,7 @@ def test_a_device_unknown_or_taken_is_refused_with_a_sentence():
 
 
 def test_the_state_of_a_device_is_one_array_for_ever():
-    world = BoxesWorld()
+    world = boxes_world()
     state = world.state("arm_left")
     world.claim("arm_left", 1)
     world.claim("arm_right", 1)
@@ -136,7 +136,7 @@ def test_the_state_of_a_device_is_one_array_for_ever():
 
 
 def test_an_arm_comes_between_two_steps_and_nothing_else_notices():  # law 18
-    world, alone = BoxesWorld(), BoxesWorld()
+    world, alone = boxes_world(), boxes_world()
     first, other = Assembler(world), Assembler(alone)
     for assembler in (first, other):
         assembler.signal = 1.0

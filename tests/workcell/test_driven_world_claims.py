@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from kit.worlds.box_cells import boxes_world
 from onika.ring.device import DeviceOrder
 from onika.ring.drive import DriveInput, DriveMode
 from onika.words.reason import Reason
-from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
 ARM, OTHER, HAND, LAMP = "arm_left", "arm_right", "gripper_left", "lamp"
@@ -17,7 +17,7 @@ PUSH = np.array([0.0, 0.0, 0.0, 20.0, 0.0, 0.0])
 
 @pytest.fixture
 def world():
-    world = BoxesWorld()
+    world = boxes_world()
     world.claim(ARM, 1)
     world.claim(OTHER, 2)
     world.step(10 * MS)
@@ -180,7 +180,7 @@ def test_a_lamp_has_no_drive_that_anything_happens_to(world):
 
 
 def test_what_happens_before_the_first_step_has_no_step_before():  # law 17
-    world = BoxesWorld()
+    world = boxes_world()
     world.claim(ARM, 1)
     drive(world)
     (event,) = world.take_events()

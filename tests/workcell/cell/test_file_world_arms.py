@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 
 from kit.worlds.assembler import DT, Assembler
+from kit.worlds.box_cells import boxes_world
 from onika.laws import adept_one, puma560
 from onika.laws.filter import Derivative
 from onika.laws.textbook import serial_arm
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
 
 
 def claimed(*names, epoch=1):
-    world = BoxesWorld()
+    world = boxes_world()
     for name in names:
         world.claim(name, epoch)
     return world
@@ -64,7 +64,7 @@ def test_the_arm_that_the_hand_brought_makes_room_for_the_one_that_is_claimed():
     ("inside", "wanted", "sentence"),
     [
         ("arm_left", "scara_left", "expected a free place for 'scara_left', found 'arm_left' in use"),
-        ("arm_left", "arm_left_kin", "expected a free place for 'arm_left_kin', found 'arm_left' in use"),
+        ("arm_left", "arm_left_kin", "'arm_left_kin' is kinematic, found 'arm_left' in use, which is physical"),
         ("arm_right", "arm_left_kin", "'arm_left_kin' is kinematic, found 'arm_right' in use, which is physical"),
         ("scara_left_kin", "arm_right", "'arm_right' is physical, found 'scara_left_kin' in use, which is kinematic"),
     ],
@@ -80,7 +80,7 @@ def test_two_arms_at_one_place_and_mixed_modes_are_refused(inside, wanted, sente
 
 
 def test_the_world_goes_on_where_it_was_when_its_forces_are_taken_and_given_back():  # law 18
-    world = BoxesWorld()
+    world = boxes_world()
     assembler = Assembler(world)
     assembler.turn(np.add(puma560.HOME, [0.3, 0.4, 0.3, 0.2, 0.5, 0.1]))
     there, boxes = assembler.q.copy(), world.poses()[1:5]

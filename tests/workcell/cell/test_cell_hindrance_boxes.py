@@ -1,10 +1,10 @@
+"""What is in the way of an arm of the box assembly that begins to hold."""
+
 import pytest
 
 from kit.worlds.assembler import GRASP_M, Assembler, pose_at
+from kit.worlds.box_cells import LAYOUT_M, TOP_M, boxes_world
 from onika.ring.device import DeviceOrder
-from onika.workcell.boxes import BoxesWorld
-from onika.workcell.layout import LAYOUT_M
-from onika.workcell.table import TOP_M
 
 
 def words(reasons):
@@ -21,7 +21,7 @@ def halted(world, device):
 
 @pytest.fixture
 def assembler():
-    return Assembler(BoxesWorld())
+    return Assembler(boxes_world())
 
 
 def test_an_arm_that_holds_in_the_air_has_nothing_in_its_way_and_says_where_it_is(assembler):  # R-X06
