@@ -121,7 +121,7 @@ class FileWorld(DrivenWorld):
         lamps = [(called(lamp.lamp.names, Reason.plain(lamp.lamp.name)), lamp.flags.all()) for lamp in self._lamps]
         lit = [Reason.of("workcell.named_lamp_lit", lamp=lamp) for lamp, is_lit in lamps if is_lit]
         dark = (lamp for lamp, is_lit in lamps if not is_lit)
-        away = (displaced.text for displaced in self.displaced())
+        away = (displaced.text for displaced in self.displaced() if not displaced.is_harmless)
         return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark), *away)
 
     def scene(self) -> list[Shape3d]:
