@@ -1,6 +1,5 @@
 // English. Every text of the page has a name here; the other languages must have the same names.
 import { enCanvas } from './en.canvas'
-import { enCourses } from './en.courses'
 import { enDictionary } from './en.dictionary'
 import { enForesight } from './en.foresight'
 import { enHelp } from './en.help'
@@ -24,7 +23,6 @@ export const en = {
   ...enPerform,
   ...enLevels,
   ...enHelp,
-  ...enCourses,
   ...enForesight,
   ...enRedirect,
   ...enHolding,

@@ -1,7 +1,6 @@
 // Español.
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
-import { esCourses } from './es.courses'
 import { esDictionary } from './es.dictionary'
 import { esForesight } from './es.foresight'
 import { esHelp } from './es.help'
@@ -25,7 +24,6 @@ export const es: Record<TextKey, string> = {
   ...esPerform,
   ...esLevels,
   ...esHelp,
-  ...esCourses,
   ...esForesight,
   ...esRedirect,
   ...esHolding,
