@@ -5,18 +5,20 @@ from pathlib import Path
 from typing import Any
 
 from onika.files import appl, conf, onk, picture, rmod, robot, syntax, world
+from onika.files.puzzles import puzzle
 from onika.model.syntax import Syntax
 from onika.store.shipped import shipped, shipped_directories
 from onika.store.site import open_site
 from onika.words.fault import Fault
 
-FOLDERS = ("module", "conf", "dict", "appl", "robot", "world")
+FOLDERS = ("module", "conf", "dict", "appl", "robot", "world", "puzzle")
 
 
 def shipped_files() -> list[Path]:
     folders = [base / folder for base in shipped_directories() for folder in FOLDERS]
     paths = [path for folder in (*folders, shipped() / "prefs") for path in sorted(folder.glob("*"))]
-    return [path for path in paths if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta", ".robot", ".world")]
+    endings = (".rmod", ".conf", ".onk", ".appl", ".dta", ".robot", ".world", ".puzzle")
+    return [path for path in paths if path.suffix in endings]
 
 
 def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault, ...]]]:
@@ -29,6 +31,7 @@ def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault,
         ".onk": lambda text: onk.read(text, name, path.name, types),
         ".appl": lambda text: appl.read(text, name, path.name, types),
         ".dta": lambda text: picture.read(text, name, path.name),
+        ".puzzle": lambda text: puzzle.read(text, name, path.name),
         ".robot": lambda text: robot.read(text, name, path.name),
         ".world": lambda text: world.read(text, name, path.name),
     }[path.suffix]
@@ -43,6 +46,7 @@ def writer(path: Path) -> Callable[[Any], str]:
         ".onk": onk,
         ".appl": appl,
         ".dta": picture,
+        ".puzzle": puzzle,
         ".robot": robot,
         ".world": world,
     }

@@ -167,3 +167,14 @@ def test_a_module_lies_beside_its_tasks(base: BaseDirectory) -> None:
     assert base.code_file("pid") == base.path / "module" / "pid.py"
     assert base.task_file("pid").suffix == rmod.ENDING
     assert TaskType.PERIODIC is TASK.type
+
+
+def test_puzzles_are_listed_and_read(base: BaseDirectory) -> None:
+    assert base.puzzles == ()  # R-G10
+    file = base.puzzle_file("light")
+    file.parent.mkdir()
+    file.write_text("VERSION 2.0\nTITLE en A\nTASK en B\nLEVEL 1\nEXPECT LAMP == 1\nEOF\n")
+    (file.parent / "light.al").write_text("")
+    puzzle, faults = base.puzzle("light")
+    assert base.puzzles == ("light",) and faults == ()
+    assert puzzle is not None and puzzle.expectations == ("LAMP == 1",)

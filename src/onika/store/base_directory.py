@@ -7,10 +7,12 @@ from pathlib import Path
 from typing import TypeVar
 
 from onika.files import appl, conf, onk, rmod, whole
+from onika.files.puzzles import puzzle
 from onika.files.rmod import RmodText
 from onika.model.application import Application
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
+from onika.model.puzzle import Puzzle
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.opened_text import Faults, OpenedText, Read, open_file, put, save
@@ -50,6 +52,11 @@ class BaseDirectory:
     def applications(self) -> tuple[str, ...]:
         """The names of the `.appl` files, in order."""
         return self._names("appl", appl.ENDING)
+
+    @property
+    def puzzles(self) -> tuple[str, ...]:
+        """The names of the `.puzzle` files, in order."""
+        return self._names("puzzle", puzzle.ENDING)
 
     @property
     def modules(self) -> tuple[str, ...]:
@@ -113,6 +120,10 @@ class BaseDirectory:
         """Where the application `name` stands or would stand."""
         return self._file("appl", name, appl.ENDING)
 
+    def puzzle_file(self, name: str) -> Path:
+        """Where the puzzle `name` stands or would stand."""
+        return self._file("puzzle", name, puzzle.ENDING)
+
     def code_file(self, module: str) -> Path:
         """Where the code of a module stands or would stand: `module/NAME.py`."""
         return self._file("module", module, ".py")
@@ -132,6 +143,10 @@ class BaseDirectory:
     def application(self, name: str, syntax: Syntax) -> tuple[Application | None, Faults]:
         """The application `name`."""
         return _read(self.application_file(name), name, partial(appl.read, syntax=syntax))
+
+    def puzzle(self, name: str) -> tuple[Puzzle | None, Faults]:
+        """The puzzle `name`."""
+        return _read(self.puzzle_file(name), name, puzzle.read)
 
     # -- to edit: opened with the text of the file, saved where that text still is
 

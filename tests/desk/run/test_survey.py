@@ -203,3 +203,14 @@ def test_a_folder_without_any_file_of_ours_is_a_fault(tmp_path, site, runtime): 
     files, faults = survey(tmp_path, site)
     assert files == []
     assert faults[0].reason == Reason.of("desk.nothing_of_ours")
+
+
+def test_a_puzzle_is_read_and_its_programs_are_looked_for(tmp_path, site, runtime):  # R-B07, R-G10
+    (tmp_path / "puzzle").mkdir()
+    file = tmp_path / "puzzle" / "light.puzzle"
+    file.write_text("VERSION 2.0\nTITLE en A\nTASK en B\nLEVEL 1\nEXPECT LAMP == 1\nSOLUTION absent.al\nEOF\n")
+    files, faults = survey(tmp_path, site)
+    assert files == [file]
+    assert [(fault.place.line, fault.reason.key) for fault in faults] == [(6, "desk.no_program_of_puzzle")]
+    file.write_text("VERSION 2.0\nTITLE en A\nLEVEL 1\nEXPECT LAMP == 1\nEOF\n")
+    assert [fault.place.line for fault in survey(tmp_path, site)[1]] == [3]

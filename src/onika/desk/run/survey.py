@@ -7,11 +7,13 @@ from hashlib import sha256
 from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
+from onika.desk.plan.placed_puzzle import PlacedPuzzle
 from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.world_survey import world_sources
 from onika.desk.run.configuration_survey import judged, need_modules, surveyed
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, robot, syntax, text, world
+from onika.files.puzzles import puzzle
 from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
 from onika.store import module_catalogue
@@ -24,7 +26,7 @@ from onika.words.fault import Fault, Place, parted
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
 
-_FOLDERS = ("module", "conf", "dict", "appl", "prefs", "world", "robot")
+_FOLDERS = ("module", "conf", "dict", "appl", "prefs", "world", "robot", "puzzle")
 
 Reader = Callable[[str, str, str], tuple[object, Iterable[Fault]]]
 """Reads what a file holds by its content, its name and its place; the faults come second."""
@@ -32,6 +34,7 @@ Reader = Callable[[str, str, str], tuple[object, Iterable[Fault]]]
 _READERS: Mapping[str, Reader] = {
     conf.ENDING: conf.read,
     picture.ENDING: picture.read,
+    puzzle.ENDING: puzzle.read,
     robot.ENDING: robot.read,
     world.ENDING: world.read,
 }
@@ -130,7 +133,7 @@ def _files(path: Path) -> list[Path]:
 
 def _is_ours(file: Path) -> bool:
     endings = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py", *module_catalogue.ENDINGS)
-    endings += (robot.ENDING, world.ENDING)
+    endings += (robot.ENDING, world.ENDING, puzzle.ENDING)
     own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
     return (file.name.endswith(endings) and not file.name.startswith(".")) or file.name in own
 
@@ -172,6 +175,7 @@ def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
     applications = [file for file in _with_ending(files, appl.ENDING) if not _is_part(file, site)]
     worlds, world_faults = world_sources(files, site)
     faults += world_faults
+    faults += _puzzle_faults(_with_ending(files, puzzle.ENDING), site)
     if not (planned or code or applications or worlds or need_modules(configurations)):
         return faults + judged(configurations, site, _of_none)
     prepared = [prepare_run(str(file), site) for file in applications]
@@ -180,6 +184,17 @@ def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
         faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code), worlds), note)
         for run in prepared:
             faults += _judged(runtime, run, note)
+    return faults
+
+
+def _puzzle_faults(files: list[Path], site: Site) -> list[Fault]:
+    """What is wrong with the programs of puzzles."""
+    faults: list[Fault] = []
+    for file in files:
+        base = BaseDirectory(file.absolute().parent.parent)
+        record, _ = base.puzzle(file.stem) if file.stem in base.puzzles else (None, ())
+        if record is not None:
+            faults += PlacedPuzzle(record, base).faults(site)
     return faults
 
 

@@ -1,0 +1,1 @@
+"""What is set as a task for learners."""

@@ -1,0 +1,10 @@
+COBEGIN
+  BEGIN
+    OPEN HAND opengripC
+    DRIVE jmoveC TO aside
+  END
+  BEGIN
+    OPEN HAND opengrip_rightC
+    DRIVE jmoveC TO aside
+  END
+COEND

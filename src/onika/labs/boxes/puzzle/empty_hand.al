@@ -1,0 +1,7 @@
+BEGIN
+  OPEN HAND opengripC
+  DRIVE jmoveC TO box2_aj
+  MOVE cmoveC TO box2_bx
+  OPEN HAND opengripC
+  DRIVE jmoveC TO box2_aj
+END

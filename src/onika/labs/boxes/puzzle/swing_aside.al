@@ -1,0 +1,3 @@
+BEGIN
+  DRIVE jmoveC TO aside
+END
