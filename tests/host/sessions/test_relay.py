@@ -215,3 +215,19 @@ def test_who_floods_leaves_everybody_his_turn():  # network.md F14
         assert most < 700  # of the 8 kB that are looked at in one turn, and what a turn of the test may miss
 
     in_loop(story)
+
+
+def test_what_is_to_be_newest_does_not_wait_in_the_system():  # R-F08
+    async def measured():
+        listener = socket.create_server(("127.0.0.1", 0))
+        near = socket.create_connection(listener.getsockname())
+        far, _ = listener.accept()
+        reader, writer = await asyncio.open_connection(sock=far)
+        Relay(reader, writer, "127.0.0.1").favour_newest()
+        unsent = far.getsockopt(socket.IPPROTO_TCP, 25)
+        writer.close()
+        near.close()
+        listener.close()
+        return unsent, writer.transport.get_write_buffer_limits()[1]
+
+    assert asyncio.run(measured()) == (16 * 1024, 16 * 1024)

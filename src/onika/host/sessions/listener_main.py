@@ -31,6 +31,7 @@ from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import Users
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
+from onika.link.channel import Channel
 from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
@@ -48,6 +49,8 @@ _IDLE = 100
 _BEATS = 64
 """Datagrams that are read at a time."""
 _LAST_S = 0.5
+_WAITING = 32 * 1024
+"""Bytes of readings that wait on their way to the listener; what is not yet there can still be told anew."""
 
 _AWAKE = encode(ListenerAwake())
 
@@ -162,6 +165,9 @@ class Acceptor:
             return
         self._inside += 1
         ours, theirs = socket.socketpair()
+        if answer.channel is Channel.STREAM:
+            relay.favour_newest()
+            theirs.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _WAITING)
         try:
             user = answer.user
             arrived = ConnectionArrived(

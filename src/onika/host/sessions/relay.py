@@ -27,6 +27,11 @@ _TURN = 8 * 1024
 """Bytes from outside that are looked at before it is somebody else's turn: some hundred of the smallest frames."""
 _DEMANDS = ("Allow", "Upgrade")
 """Headers in which a refusal of the library says what it would take."""
+_NOT_SENT, _CONGESTION = 25, 13
+"""Options of a TCP connection of Linux: how many bytes may wait unsent, and what paces it."""
+_UNSENT = 16 * 1024
+_PACED = b"bbr"
+"""It goes by what comes through, and not by what is lost: over an ocean losses say little."""
 _MIN_RTT = 148
 """Where it stands in the `tcp_info` of Linux, in us."""
 
@@ -73,6 +78,14 @@ class Relay:
             await self._send()
             raise ConnectionRefused("no hello")
         return answer, hello, payloads
+
+    def favour_newest(self) -> None:
+        """Let little wait on the way out: what cannot go yet is told anew, by what is newer, where it came from."""
+        connected = self._writer.get_extra_info("socket")
+        for option, value in ((_NOT_SENT, _UNSENT.to_bytes(4, sys.byteorder)), (_CONGESTION, _PACED)):
+            with contextlib.suppress(OSError):  # not every system has it, or lets everybody choose it
+                connected.setsockopt(socket.IPPROTO_TCP, option, value)
+        self._writer.transport.set_write_buffer_limits(high=_UNSENT)
 
     async def carry(self, payloads: list[bytes], inside: socket.socket) -> None:
         """Copy whole frames both ways until one side ends it; each waits for the other, never for more than that."""
