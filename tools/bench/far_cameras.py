@@ -12,7 +12,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import monotonic, monotonic_ns, process_time
 
@@ -89,7 +89,7 @@ class Mass(Module):
 """
 
 
-def looked(url: str, token: str, ca: str, seconds: float) -> dict[str, object]:
+def looked(url: str, token: str, ca: str, pid: int, seconds: float) -> dict[str, object]:
     """What whoever looks sees for so long, as figures; with and without pictures in turn for the questions."""
     shop = PlanBuilder()
     task = shop.task("mass", MASS, frequency=10.0, local={"DEVICE": "far:m0"})
@@ -98,11 +98,12 @@ def looked(url: str, token: str, ca: str, seconds: float) -> dict[str, object]:
         accepted = runtime.ask(change)
         assert isinstance(accepted, live.Accepted), accepted
         alone_ms = [_question_ms(runtime) for _ in range(20)]
+        without = _share(pid, seconds / 3, lambda: list(runtime.events(0.02)))
         names = tuple(f"far:{name}" for name in CAMERAS)
         runtime.ask(live.Attend((), (), names, 4.0 * HZ))
         ages: dict[str, list[float]] = {name: [] for name in names}
         beside_ms: list[float] = []
-        used_s, size = process_time(), 0
+        used_s, before_s, size = process_time(), _used_s(pid), 0
         while not list(runtime.events(0.02)) and not runtime.readings():
             pass  # what it takes until the first picture is there is not the line's pace
         begin, asked = monotonic(), monotonic()
@@ -116,12 +117,14 @@ def looked(url: str, token: str, ca: str, seconds: float) -> dict[str, object]:
             if monotonic() > asked + 1.0:
                 asked = monotonic()
                 beside_ms.append(_question_ms(runtime))
-        used_s = process_time() - used_s
+        used_s, lasted_s = process_time() - used_s, monotonic() - begin
+        beside = (_used_s(pid) - before_s) / lasted_s
     every = sorted(age for of_camera in ages.values() for age in of_camera)
     wanted = HZ * len(CAMERAS) * seconds
     return {
         "arrive": len(every) / wanted, "least_hz": min(map(len, ages.values())) / seconds, "bytes": size,
         "p50_ms": _part(every, 0.5), "p99_ms": _part(every, 0.99), "reader_share": used_s / seconds,
+        "runtime_share": beside, "runtime_share_without": without,
         "question_ms": _part(sorted(beside_ms), 0.5), "question_alone_ms": _part(sorted(alone_ms), 0.5),
     }  # fmt: skip
 
@@ -154,21 +157,25 @@ def measure(folder: Path, size: tuple[int, int], delay_s: float, loss: float, se
         try:
             assert runtime.stdout is not None
             runtime.stdout.readline()
-            before, begin = _used_s(runtime.pid), monotonic()
             looking = [sys.executable, __file__, "--look", f"wss://{line.address(0)}:{PORT}", token]
-            looking += [f"{certificate}.crt", "--seconds", str(seconds)]
+            looking += [f"{certificate}.crt", str(runtime.pid), "--seconds", str(seconds)]
             said = subprocess.run(line.within(1, looking), check=True, stdout=subprocess.PIPE, env=environment).stdout
-            shares = {
-                name: (_used_s(runtime.pid)[name] - before.get(name, 0.0)) / (monotonic() - begin) for name in before
-            }
         finally:
             runtime.terminate()
             runtime.wait(20)
-    return json.loads(said) | {"runtime_share": sum(shares)}
+    return json.loads(said)
 
 
-def _used_s(pid: int) -> dict[str, float]:
-    """Seconds of a processor that a process and its descendants have used, by their ids."""
+def _share(pid: int, seconds: float, do: Callable[[], object]) -> float:
+    """Of one core, what a process and its descendants use while something is done again and again."""
+    begin, before_s = monotonic(), _used_s(pid)
+    while monotonic() < begin + seconds:
+        do()
+    return (_used_s(pid) - before_s) / (monotonic() - begin)
+
+
+def _used_s(pid: int) -> float:
+    """Seconds of a processor that a process and its descendants have used."""
     children: dict[int, list[int]] = {}
     used: dict[int, float] = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
@@ -179,12 +186,12 @@ def _used_s(pid: int) -> dict[str, float]:
         number = int(path.parent.name)
         children.setdefault(int(fields[1]), []).append(number)
         used[number] = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-    found, left = {}, [pid]
+    total_s, left = 0.0, [pid]
     while left:
         number = left.pop()
-        found[str(number)] = used.get(number, 0.0)
+        total_s += used.get(number, 0.0)
         left += children.get(number, [])
-    return found
+    return total_s
 
 
 def _certify(path: Path) -> None:
@@ -202,10 +209,11 @@ def main() -> None:
     parser.add_argument("--delay-ms", type=float, default=100.0, help="one way")
     parser.add_argument("--loss", type=float, default=0.02)
     parser.add_argument("--far", action="store_true", help="only the far line")
-    parser.add_argument("--look", nargs=3, metavar=("URL", "TOKEN", "CA"), help=argparse.SUPPRESS)
+    parser.add_argument("--look", nargs=4, metavar=("URL", "TOKEN", "CA", "PID"), help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.look:
-        print(json.dumps(looked(*given.look, given.seconds)))
+        url, token, ca, pid = given.look
+        print(json.dumps(looked(url, token, ca, int(pid), given.seconds)))
         return
     if os.geteuid() != 0:
         print("network namespaces need root: nothing was measured")
