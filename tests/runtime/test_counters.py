@@ -34,3 +34,13 @@ def test_only_the_time_in_which_the_task_was_on_is_profiled():  # R-A17
 
 def test_counting_anew_goes_on_where_the_task_is_on():  # R-A17
     assert Counters(1000).profiled_ns(1500) == 500
+
+
+def test_several_cycles_are_counted_at_once():
+    counters, one_by_one = Counters(), Counters()
+    for took in (5, 9, 3, 4):
+        one_by_one.add(took)
+    counters.add_several(2, 14, 5, 9)
+    counters.add_several(2, 7, 3, 4)
+    assert (counters.cycles, counters.total_ns, counters.least_ns, counters.most_ns) == (4, 21, 3, 9)
+    assert counters.mean_ns == one_by_one.mean_ns

@@ -4,7 +4,18 @@ import numpy as np
 import pytest
 
 from onika.model.port import PortKind
-from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar, slot
+from onika.runtime.declaration import (
+    InBoth,
+    InConst,
+    Input,
+    InVar,
+    Local,
+    OutBoth,
+    OutConst,
+    OutVar,
+    memory_slot,
+    slot,
+)
 from onika.runtime.modules.module import Module
 from onika.words.shape import Shape
 
@@ -30,7 +41,9 @@ def instance(declaration, text):
     cls = type("One", (Module,), {"X": declaration})
     owner, shape = cls(), Shape.parse(text)
     flat = np.zeros(shape.count * (shape.type.size if shape.type.is_text else 1), dtype=shape.type.code)
-    setattr(owner, slot("X"), flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims))
+    shown = flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims)
+    setattr(owner, slot("X"), shown)
+    setattr(owner, memory_slot("X"), shown.data)
     return owner
 
 

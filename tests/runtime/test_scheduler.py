@@ -1,9 +1,10 @@
 """What is due, in which order."""
 
+import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
-from onika.runtime.scheduler import Scheduler, TaskSlot
+from onika.runtime.scheduler import Scheduler, SlotGroup, TaskSlot
 
 
 def slot(name="a", period=10, crit=0, rank=0):
@@ -224,3 +225,57 @@ def test_a_slot_that_resumes_twice_or_was_to_enter_is_due_once():
     scheduler.resume(task_slot, 3)
     scheduler.resume(task_slot, 4)
     assert (run_all(scheduler, 9), run_all(scheduler, 10), run_all(scheduler, 10)) == ([], ["a"], [])
+
+
+# Groups
+
+
+def grouped(*slots, now=0):
+    """A scheduler on which these are due together, as groups."""
+    scheduler = Scheduler()
+    for each in slots:
+        scheduler.enter(each, now)
+    while (due := scheduler.next_due(now)) is not None:
+        scheduler.done(due)
+    scheduler.group([SlotGroup(together) for together in scheduler.gathered()])
+    return scheduler
+
+
+def test_slots_of_one_period_are_gathered_in_their_order():  # law 1
+    a, b, fast = slot("a", 20), slot("b", 20), slot("fast", 10)
+    scheduler = grouped(b, fast, a)
+    assert [(release, [each.key[2] for each in group.slots]) for release, _, group in scheduler.groups] == [
+        (10, ["fast"]), (20, ["a", "b"]),
+    ]  # fmt: skip
+    assert scheduler.next_release() == 10
+
+
+def test_what_is_due_now_or_not_together_is_not_gathered():
+    scheduler, early, late = Scheduler(), slot("early"), slot("late")
+    scheduler.enter(early, 0)
+    assert scheduler.gathered() == []
+    scheduler.done(scheduler.next_due(0))
+    scheduler.resume(late, 15)  # due at 20, and the other one at 10
+    assert scheduler.gathered() == []
+
+
+@pytest.mark.parametrize("change", ["enter", "resume", "leave", "change", "rekey", "next_due"])
+def test_whatever_becomes_of_a_slot_parts_all_groups(change):
+    a, b, other = slot("a"), slot("b"), slot("other")
+    scheduler = grouped(a, b)
+    given = {
+        "enter": (other, 3), "resume": (other, 3), "leave": (a,), "change": (a, 20, 3), "rekey": (b, (0, 0, "b")),
+        "next_due": (3,),
+    }  # fmt: skip
+    getattr(scheduler, change)(*given[change])
+    assert scheduler.groups == []
+    assert scheduler.next_due(10) is (b if change in ("leave", "change") else a)
+
+
+def test_a_group_that_stops_leaves_each_slot_where_it_stands():  # law 2
+    a, b, c = slot("a"), slot("b"), slot("c")
+    scheduler = grouped(a, b, c)
+    assert scheduler.part_at(1) is b
+    assert (a.release, b.release, c.release) == (20, 10, 10)
+    scheduler.done(b)
+    assert scheduler.next_due(10) is c

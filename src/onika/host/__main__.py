@@ -47,6 +47,7 @@ from onika.link.sessions import Sessions
 from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
+from onika.runtime.execution.whereabouts import Whereabouts
 from onika.store.audit_trail import OFF, AuditTrail, open_for
 from onika.wire import event
 from onika.wire.world_values import options_of, world_values
@@ -150,21 +151,16 @@ def _given(words: list[str]) -> argparse.Namespace:
     return given
 
 
-def _watched_calls(given: argparse.Namespace) -> Callable[[str], None]:
+def _watched_calls(given: argparse.Namespace) -> Whereabouts:
     """Whoever is told whose code runs: interrupts what does not return, and lets nobody replace code of ours."""
     watchdog = CallWatchdog()
     last_words = None if given.last_words is None else LastWords(Segment.attach(given.last_words).view)
     leave = _print if last_words is None else last_words.leave
     Watchman(CodeWatch(CodeGuard(own_code()), leave), watchdog, leave).begin()
-    if last_words is None or given.link_fd is None:
-        return watchdog.watch
-    note = last_words.watch
-
-    def watch(task: str) -> None:
-        watchdog.watch(task)
-        note(task)
-
-    return DescriptorGuard(given.link_fd, watch, leave).watch
+    if last_words is not None and given.link_fd is not None:
+        watchdog.watch.memory = last_words.name
+        watchdog.watch.also = DescriptorGuard(given.link_fd, last_words.watch, leave).watch
+    return watchdog.watch
 
 
 def _audit(given: argparse.Namespace) -> AuditTrail | None:

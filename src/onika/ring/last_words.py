@@ -17,7 +17,8 @@ class LastWords:
     """Written by the process itself, read by whoever has started it; both in the same shared memory."""
 
     def __init__(self, view: memoryview) -> None:
-        self._name = view[:_NAME_SIZE]
+        self.name = view[:_NAME_SIZE]
+        """Where it is noted whose code runs, as `name_of` it."""
         self._size = view[_NAME_SIZE:_REASON_AT]
         self._reason = view[_REASON_AT:SIZE]
         self._known: dict[str, bytes] = {}
@@ -26,8 +27,8 @@ class LastWords:
         """Whose code runs from now on; "" for the executive's own."""
         data = self._known.get(task)
         if data is None:
-            data = self._known[task] = task.encode()[:_NAME_SIZE].ljust(_NAME_SIZE, b"\0")
-        self._name[:] = data
+            data = self._known[task] = name_of(task)
+        self.name[:] = data
 
     def leave(self, reason: Reason) -> None:
         """Why the process is about to end itself; one that is too long is left out."""
@@ -39,7 +40,7 @@ class LastWords:
     @property
     def task(self) -> str:
         """Whose code runs."""
-        return bytes(self._name).rstrip(b"\0").decode("utf-8", "replace")
+        return bytes(self.name).rstrip(b"\0").decode("utf-8", "replace")
 
     @property
     def reason(self) -> Reason:
@@ -49,3 +50,8 @@ class LastWords:
             return _decode(self._reason[:size])
         except MsgspecError:
             return NOTHING
+
+
+def name_of(task: str) -> bytes:
+    """The name of a task as it is noted: as many bytes for all."""
+    return task.encode()[:_NAME_SIZE].ljust(_NAME_SIZE, b"\0")

@@ -20,7 +20,7 @@ _SEAL = 3
 _WORD = 8
 _GUARD = 0x4B_61_72_61_6B_61_73_21
 """Stands before the counters of an armed entry, mixed with its place: what runs over from below meets it first."""
-_SEALS, _STRANGE = 2, 6
+SEALS, STRANGE = 2, 6
 """Places among the words: of the seals, and of the number of times that somebody else had published (its lower
 half; the upper one holds the count at which the entry was put to rest, doubled, plus 1; 0 while it is in use)."""
 _COUNTED = 0xFFFF_FFFF
@@ -38,6 +38,8 @@ class Signed(NamedTuple):
     """Publish what lies in the source; counts as strange whatever was published by others since the last time."""
     look: Callable[[], None]
     """Take the entry as it stands: what others published until now was their right."""
+    own: list[int]
+    """The count of its newest publication, alone in a list: whoever publishes in its place keeps it."""
 
 
 class Ring:
@@ -58,8 +60,9 @@ class Ring:
         self.words = view[offset + _WORD : offset + LINE].cast("Q")
         first = offset + LINE
         self._memory = view[first : first + count * stride]
-        self._slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(count))
-        self._last = count - 1
+        self.slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(count))
+        """Where the values lie; that of a count lies in the slot `count & last`."""
+        self.last = count - 1
 
     @staticmethod
     def footprint(size: int) -> int:
@@ -68,7 +71,7 @@ class Ring:
 
     def release(self) -> None:
         """Hold the memory no longer; nobody reads or writes by this ring any more."""
-        for view in (self._guard, self.words, self._memory, *self._slots):
+        for view in (self._guard, self.words, self._memory, *self.slots):
             view.release()
 
     @property
@@ -96,7 +99,7 @@ class Ring:
         faults_: list[Reason] = []
         if self._guard[0] != _GUARD ^ self.offset:
             faults_.append(Reason.of("runtime.guard_overwritten"))
-        strange = self.words[_STRANGE] & _COUNTED
+        strange = self.words[STRANGE] & _COUNTED
         if strange:
             faults_.append(Reason.of("runtime.strangely_published", count=strange))
         blank = bytes(self.stride - self.size)
@@ -114,8 +117,8 @@ class Ring:
     def _is_moved(self) -> bool:
         """Whether an entry at rest counts something else than when it was put to rest."""
         for _ in range(ATTEMPTS):
-            rest, count = self.words[_STRANGE] >> 32, self.words[0]
-            if self.words[_STRANGE] >> 32 == rest:
+            rest, count = self.words[STRANGE] >> 32, self.words[0]
+            if self.words[STRANGE] >> 32 == rest:
                 return rest != 0 and rest != _rest(count)
         return False
 
@@ -123,7 +126,7 @@ class Ring:
         """Whether something was sealed later than the counter tells; one that is about to be published is not."""
         for _ in range(ATTEMPTS):
             count = self.words[0]
-            ahead = [((self.words[_SEALS + i] >> 32) - count) & _COUNTED for i in range(_SEAL + 1)]
+            ahead = [((self.words[SEALS + i] >> 32) - count) & _COUNTED for i in range(_SEAL + 1)]
             if self.words[0] == count:
                 return any(1 < distance < _COUNTED >> 1 for distance in ahead)
         return False
@@ -134,9 +137,9 @@ class Ring:
         for _ in range(ATTEMPTS):
             count = words[0]
             last = range(max(1, count - 2), count + 1)
-            slots = [(n, words[_SEALS + (n & _SEAL)], bytes(self._slots[n & self._last])) for n in last]
+            slots = [(n, words[SEALS + (n & _SEAL)], bytes(self.slots[n & self.last])) for n in last]
             if words[0] == count:  # the writer was not in the oldest of them yet
-                return any(seal >> 32 == n & _COUNTED and seal != _seal(data, n) for n, seal, data in slots)
+                return any(seal >> 32 == n & _COUNTED and seal != seal_of(data, n) for n, seal, data in slots)
         return False
 
     def seal(self) -> None:
@@ -144,18 +147,18 @@ class Ring:
         count = self.words[0]
         self._use()
         if count:
-            self.words[_SEALS + (count & _SEAL)] = _seal(self._slots[count & self._last], count)
+            self.words[SEALS + (count & _SEAL)] = seal_of(self.slots[count & self.last], count)
 
     def rest(self) -> None:
         """Seal the present value and note the count: nobody writes the entry until a writer looks at it."""
         words = self.words
         count = words[0]
         if count:
-            words[_SEALS + (count & _SEAL)] = _seal(self._slots[count & self._last], count)
-        words[_STRANGE] = words[_STRANGE] & _COUNTED | _rest(count) << 32
+            words[SEALS + (count & _SEAL)] = seal_of(self.slots[count & self.last], count)
+        words[STRANGE] = words[STRANGE] & _COUNTED | _rest(count) << 32
 
     def _use(self) -> None:
-        self.words[_STRANGE] &= _COUNTED
+        self.words[STRANGE] &= _COUNTED
 
     # Values
 
@@ -171,7 +174,7 @@ class Ring:
 
     def since(self, seen: int) -> tuple[int, list[bytes]]:
         """The count, and the values published after the count `seen`, oldest first, as far as they still lie here."""
-        words, slots, last = self.words, self._slots, self._last
+        words, slots, last = self.words, self.slots, self.last
         while True:
             count: int = words[0]
             first = max(seen + 1, count - last + 1)
@@ -184,7 +187,7 @@ class Ring:
 
         A slot takes `stride` bytes. To copy them so costs a tenth of what it costs to take them apart.
         """
-        words, memory, last, stride = self.words, self._memory, self._last, self.stride
+        words, memory, last, stride = self.words, self._memory, self.last, self.stride
         while True:
             count: int = words[0]
             first = max(seen + 1, count - last + 1)
@@ -197,7 +200,7 @@ class Ring:
 
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""
-        words, slots, last = self.words, self._slots, self._last
+        words, slots, last = self.words, self.slots, self.last
         _check(source, self.size)
 
         def publish() -> None:
@@ -212,32 +215,30 @@ class Ring:
 
         One in eight short values is sealed; to seal each would cost a task more than the check is worth.
         """
-        words, slots, last = self.words, self._slots, self._last
+        words, slots, last = self.words, self.slots, self.last
         _check(source, self.size)
-        expected = words[0] + 1
+        own = [words[0]]
         is_short = self.size <= LONGEST_SEALED
 
         def publish() -> None:
-            nonlocal expected
-            count = words[0] + 1
-            if count != expected:
-                words[_STRANGE] += 1
+            count = words[0]
+            if count != own[0]:
+                words[STRANGE] += 1
+            count += 1
             slots[count & last][:] = source
             if not count & 7 and is_short:
-                words[_SEALS] = (count & _COUNTED) << 32 | crc32(source, count)  # as `_seal`, without a call
-            words[0] = count
-            expected = count + 1
+                words[SEALS] = (count & _COUNTED) << 32 | crc32(source, count)  # as `seal_of`, without a call
+            words[0] = own[0] = count
 
         def look() -> None:
-            nonlocal expected
-            words[_STRANGE] &= _COUNTED  # as `_use`, without a call
-            expected = words[0] + 1
+            words[STRANGE] &= _COUNTED  # as `_use`, without a call
+            own[0] = words[0]
 
-        return Signed(publish, look)
+        return Signed(publish, look, own)
 
     def reader(self, target: memoryview) -> Callable[[], int]:
         """A fast function that copies the newest value into `target` and returns the count it belongs to."""
-        words, slots, last = self.words, self._slots, self._last
+        words, slots, last = self.words, self.slots, self.last
         _check(target, self.size)
 
         def fetch() -> int:
@@ -251,7 +252,7 @@ class Ring:
 
     def refresher(self, target: memoryview) -> Callable[[], None]:
         """As `reader`, for a buffer that nothing else fills: nothing is copied where nothing new was written."""
-        words, slots, last = self.words, self._slots, self._last
+        words, slots, last = self.words, self.slots, self.last
         _check(target, self.size)
         seen = -1
 
@@ -266,12 +267,18 @@ class Ring:
         return refresh
 
 
-def _seal(data: memoryview | bytes, count: int) -> int:
+def seal_of(data: memoryview | bytes, count: int) -> int:
+    """What is kept in a seal of a value and the count it belongs to."""
     return (count & _COUNTED) << 32 | crc32(data, count)
 
 
 def _rest(count: int) -> int:
     return (count << 1 | 1) & _COUNTED
+
+
+def last_of(size: int) -> int:
+    """The bits of a count that tell the slot of its value, where a value has so many bytes."""
+    return _slots(size) - 1
 
 
 def _slots(size: int) -> int:

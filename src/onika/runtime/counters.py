@@ -24,6 +24,13 @@ class Counters:
         if took_ns < self.least_ns or self.cycles == 1:
             self.least_ns = took_ns
 
+    def add_several(self, cycles: int, total_ns: int, least_ns: int, most_ns: int) -> None:
+        """So many cycles more, at least one."""
+        self.least_ns = min(self.least_ns, least_ns) if self.cycles else least_ns
+        self.most_ns = max(self.most_ns, most_ns)
+        self.total_ns += total_ns
+        self.cycles += cycles
+
     def begin(self, now: int) -> None:
         """The task comes on."""
         self.on_since_ns = now

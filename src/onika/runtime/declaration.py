@@ -1,8 +1,12 @@
 """The declarations in a module class: its ports, the input it takes, the parameters of its LOCAL block."""
 
 from collections.abc import Callable
+from functools import lru_cache
 from operator import attrgetter
+from types import CodeType
 from typing import Any, ClassVar
+
+import numpy as np
 
 from onika.model.port import Port, PortKind
 from onika.words import letters
@@ -137,6 +141,11 @@ def slot(attribute: str) -> str:
     return "_port_" + attribute
 
 
+def memory_slot(attribute: str) -> str:
+    """The name under which an instance keeps the memory of an output that is a vector."""
+    return "_memory_" + attribute
+
+
 def _getter(key: str, shape: Shape) -> Callable[[Any], Any]:
     buffer = attrgetter(key)
     if _is_lettered(shape):
@@ -184,4 +193,29 @@ def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[
                 Reason.of("runtime.value_unfit", attribute=attribute, shape=str(declaration.shape), why=why)
             ) from None
 
+    return _vector_writer(attribute, write) if len(declaration.shape.dims) == 1 else write
+
+
+_VECTOR_WRITER = """
+def write(module, value):
+    if type(value) is array_type:
+        try:
+            module.{memory}[everything] = value
+            return
+        except ValueError:
+            pass
+    write_any(module, value)
+"""
+
+
+def _vector_writer(attribute: str, write_any: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
+    """The same, faster for an array of the very type and length, as most are: as memory, found without a call."""
+    space: dict[str, Any] = {"array_type": np.ndarray, "everything": slice(None), "write_any": write_any}
+    exec(_vector_writer_code(memory_slot(attribute)), space)  # noqa: S102 - the text is ours, the attribute a name
+    write: Callable[[Any, Any], None] = space.pop("write")
     return write
+
+
+@lru_cache
+def _vector_writer_code(memory: str) -> CodeType:
+    return compile(_VECTOR_WRITER.format(memory=memory), "<port>", "exec")

@@ -4,7 +4,8 @@
     rig.spawn("push", SOURCE, frequency=100.0, device="m0").switch(on=["push"]).run(1_000_000_000)
     assert rig["X"] == …
 
-Where a cycle's cost is declared, time passes by it; otherwise cycles take no time.
+Where a cycle's cost is declared, time passes by it; otherwise cycles take no time. With `steady`, what is due at one
+instant is carried out together, as in virtual time, after so many instants by sweeps.
 """
 
 import weakref
@@ -17,6 +18,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Bus, World
 from onika.runtime.execution.executive import Executive
+from onika.runtime.execution.rounds import STEADY
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.modules.code import load
 from onika.runtime.modules.module import Module
@@ -38,7 +40,10 @@ class ExecutiveRig:
         costs: Mapping[str, int] | None = None,
         react: Callable[[news.News], list[command.Command]] = lambda _news: [],
         seed: int = 0,
+        steady: int | None = None,
     ) -> None:
+        if steady is not None and costs:
+            raise ValueError("expected cycles without costs where they are carried out together")
         self.now = 0
         self.news: list[tuple[int, news.News]] = []
         segment = Segment.create("rig", _TABLE_BYTES)
@@ -48,7 +53,8 @@ class ExecutiveRig:
         self._costs, self._react, self._seed = costs or {}, react, seed
         self._watched = _Watched()
         self.begin_words = BeginWords()
-        self.executive = Executive("unit", self.views, self._watched.watch, self.begin_words)
+        self._most = 1 if steady is None else 1000
+        self.executive = Executive("unit", self.views, self._watched.watch, self.begin_words, steady or STEADY)
         self.bus = None if world is None else self._open(world)
         self._grants: dict[str, command.DeviceGrant] = {}
         self._stepped_to = 0
@@ -141,7 +147,7 @@ class ExecutiveRig:
                 self.do(self._requests.popleft()[1])
             began = self.now
             self._watched.task = ""
-            entries = self.executive.run_next(began)
+            entries = self.executive.run_due(began, self._most)
             if entries is None:
                 return
             self.now += self._costs.get(self._watched.task, 0)

@@ -89,8 +89,14 @@ def by_law(
     return Account(list(map(repr, reference.trace)), reference.told, states, missed, world.fingerprint()), reference
 
 
-def by_executive(probes: Probes, requests: Timed, until: int, react: Reactions = MappingProxyType({})) -> Account:
-    """What the executive makes of them."""
+def by_executive(
+    probes: Probes,
+    requests: Timed,
+    until: int,
+    react: Reactions = MappingProxyType({}),
+    steady: int | None = None,
+) -> Account:
+    """What the executive makes of them; by sweeps after so many `steady` instants."""
     world, trace = MassWorld(), list[Any]()
 
     def reply(message: news.News) -> list[command.Command]:
@@ -98,7 +104,8 @@ def by_executive(probes: Probes, requests: Timed, until: int, react: Reactions =
             return list(map(rig.of, react.get(message.task, [])))
         return []
 
-    rig = TracedRig(world, costs={probe.name: probe.cost for probe in probes}, react=reply)
+    costs = {} if steady else {probe.name: probe.cost for probe in probes}
+    rig = TracedRig(world, costs=costs, react=reply, steady=steady)
     for probe in probes:
         rig.do(rig.order_of(probe))
         module: Any = rig.task(probe.name).module

@@ -4,6 +4,7 @@ import signal
 from types import FrameType
 
 from onika.runtime.error import ModuleError
+from onika.runtime.execution.whereabouts import Whereabouts
 from onika.words.reason import Reason
 
 PATIENCE_S = 5.0
@@ -16,22 +17,25 @@ class CallWatchdog:
     """
 
     def __init__(self, patience_s: float = PATIENCE_S) -> None:
-        self.task = ""
-        """Whose code runs."""
-        self.calls = 0
-        """How often somebody's code began or ended."""
-        self._seen = -1
+        self.watch = Whereabouts()
+        """Is told whose code runs."""
+        self._seen = ("", -1)
         self._patience_s = patience_s
         signal.signal(signal.SIGALRM, self._look)
         signal.setitimer(signal.ITIMER_REAL, patience_s, patience_s)
 
-    def watch(self, task: str) -> None:
-        """Whose code runs from now on; "" for the executive's own."""
-        self.task = task
-        self.calls += 1
+    @property
+    def task(self) -> str:
+        """Whose code runs."""
+        return self.watch.task
+
+    @property
+    def calls(self) -> int:
+        """How often somebody's code began or ended."""
+        return self.watch.calls
 
     def _look(self, _signal: int, _frame: FrameType | None) -> None:
-        if self.task and self.calls == self._seen:
-            reason = Reason.of("host.call_has_not_returned", task=self.task, seconds=self._patience_s)
-            raise ModuleError(reason)
-        self._seen = self.calls
+        seen = self.watch.task, self.watch.calls
+        if seen[0] and seen == self._seen:
+            raise ModuleError(Reason.of("host.call_has_not_returned", task=seen[0], seconds=self._patience_s))
+        self._seen = seen

@@ -33,7 +33,7 @@ class Watchman:
         self._call_watchdog = call_watchdog
         self._leave = leave
         self._end = end
-        self._seen = -1
+        self._seen = ("", -1)
         self._rounds = 0
 
     def begin(self) -> None:
@@ -43,9 +43,9 @@ class Watchman:
     def look(self) -> None:
         """Once: is our code ours, and has the call that runs begun since?"""
         self._code_watch.look()
-        task, calls = self._call_watchdog.task, self._call_watchdog.calls
-        self._rounds = self._rounds + 1 if task and calls == self._seen else 0
-        self._seen = calls
+        seen = task, _ = self._call_watchdog.task, self._call_watchdog.calls
+        self._rounds = self._rounds + 1 if task and seen == self._seen else 0
+        self._seen = seen
         if self._rounds >= ROUNDS:
             self._leave(Reason.of("host.call_never_returns", task=task, seconds=ROUNDS * EVERY_S))
             self._end(GAVE_UP)

@@ -13,20 +13,27 @@ from onika.runtime.execution.appointments import NEVER, Appointments, Appointmen
 from onika.runtime.execution.deferred import DeferredCommands
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.module_exchange import ModuleExchange
+from onika.runtime.execution.rounds import STEADY, Rounds, SweepStop
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.statistics import load_of, status_of
 from onika.runtime.execution.task_commands import TaskCommands
 from onika.runtime.execution.task_lifecycle import TaskLifecycle
 from onika.runtime.execution.unit import Address, ProcessingUnit
+from onika.runtime.execution.whereabouts import Whereabouts
 from onika.runtime.modules.binding import Views
 from onika.runtime.modules.binding_guard import BindingChanged
 from onika.runtime.scheduler import TaskSlot
 
 _NOTHING: Sequence[news.News] = ()
+_HARMLESS = command.Switch | command.Together | command.PreparedSwitch | command.Answer | command.Report | command.Load
+"""After these every task is still the same, and bound to the same."""
 
 
 class Executive:
-    """Tasks of any subsystems on one processing unit. `watch` is told the task before its code runs, "" after."""
+    """Tasks of any subsystems on one processing unit. `watch` is told the task before its code runs, "" after.
+
+    After so many `steady` instants alike, what is due is carried out by sweeps, where `run_due` may run all of it.
+    """
 
     def __init__(
         self,
@@ -34,9 +41,13 @@ class Executive:
         views: Views,
         watch: Callable[[str], None] | None = None,
         begin_words: BeginWords | None = None,
+        steady: int = STEADY,
     ) -> None:
         self._unit = ProcessingUnit(rtpu, views)
         self._entry_points = EntryPoints(self._unit, watch)
+        whereabouts = watch if isinstance(watch, Whereabouts) else Whereabouts()
+        self._rounds = Rounds(self._unit, whereabouts, steady)
+        self._groups = self._rounds.groups
         self._lifecycle = TaskLifecycle(self._unit, self._entry_points)
         self._task_commands = TaskCommands(self._unit, self._entry_points)
         self._exchange = ModuleExchange(self._unit, self._entry_points, self._lifecycle)
@@ -53,6 +64,10 @@ class Executive:
 
     def handle(self, order: command.Command, now: int) -> list[news.News]:
         """Carry out one command; what it led to comes back as news."""
+        if isinstance(order, _HARMLESS):
+            self._rounds.end()
+        else:
+            self._rounds.forget()
         self._lifecycle.look(now)
         self._follow(order, now)
         self._entry_points.watch("")
@@ -69,12 +84,16 @@ class Executive:
         Loading a module and its `init` cost more than a cycle: while anything is ON a Spawn or Swap with a cost waits
         for a gap. Its owner calls this when nothing is due; what finds no gap within 2 s is refused with the numbers.
         """
+        if self._deferred:
+            self._rounds.forget()
         self._deferred.work(now, self._follow)
         self._entry_points.watch("")
         return self._unit.take_news()
 
     def next_release(self) -> int | None:
         """When the next cycle is due, if any."""
+        if self._groups and self._appointments.next_ns == NEVER:
+            return self._groups[0][0]
         release = self._unit.scheduler.next_release()
         if self._appointments.next_ns == NEVER:
             return release
@@ -88,6 +107,13 @@ class Executive:
 
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due any more."""
+        groups = self._groups
+        if groups and most > 1 and groups[0][0] == now < self._appointments.next_ns:
+            stop = self._rounds.run(now)
+            if stop is None:
+                return None  # as nearly always in virtual time
+            if stop.slot is not None:
+                self._stopped(stop.slot, stop, now)
         events = self._run_due(now, most)
         if events is None and self._lifecycle.has_unlooked:
             self._lifecycle.look(now)
@@ -97,11 +123,20 @@ class Executive:
         return events
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
-        unit, calls = self._unit, self._entry_points
+        unit = self._unit
         if now >= self._appointments.next_ns:
             self._keep_appointments(now)
             return unit.take_news()
-        scheduler, slots, watch = unit.scheduler, unit.slots, calls.watch if calls.is_watched else None
+        if unit.news:
+            return unit.take_news()
+        following = self._one_by_one(now, most)
+        if following is None and most > 1:
+            self._rounds.note_instant()
+        return following
+
+    def _one_by_one(self, now: int, most: int) -> Sequence[news.News] | None:
+        unit, calls, scheduler = self._unit, self._entry_points, self._unit.scheduler
+        slots, watch = unit.slots, calls.watch if calls.is_watched else None
         slot = scheduler.next_due(now)
         while slot is not None:
             task, epoch, signal = slots[slot], slot.epoch, None
@@ -122,6 +157,17 @@ class Executive:
             slot = scheduler.after(slot, now) if goes_on else scheduler.next_due(now)
         return None
 
+    def _stopped(self, slot: TaskSlot, stop: SweepStop, now: int) -> None:
+        """What came of the cycle at which a sweep has ended."""
+        epoch = slot.epoch
+        task = self._unit.slots[slot]
+        if stop.wrong is not None:
+            self._entry_points.fail(task, "cycle", stop.wrong, now)
+        if stop.signal is not None or task.warnings:
+            self._after_cycle(task, stop.signal, now, is_due=True)
+        if slot.epoch == epoch:
+            self._unit.scheduler.done(slot)
+
     def _goes_on(self, task: RunningTask, slot: TaskSlot) -> bool:
         """Whether a synchronous task cycles on: it does while it asks its partner and has the answer."""
         if task.asks and not task.is_owed:
@@ -133,7 +179,10 @@ class Executive:
         """The news for which what is due stands back, or that there is none."""
         if goes_on:
             self._unit.scheduler.done(slot)
-        return self._unit.take_news() if self._unit.news else _NOTHING
+        if not self._unit.news:
+            return _NOTHING
+        self._rounds.end()
+        return self._unit.take_news()
 
     def events(self) -> dict[int, Address]:
         """The descriptors that synchronous tasks which are ON wait for; their owner waits for them with its own."""
@@ -162,6 +211,7 @@ class Executive:
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
+        self._rounds.end()
         task = self.tasks.get(address)
         if task is not None and task.is_on and task.is_synchronous:
             was_owed = task.is_owed or task.is_settled
@@ -212,7 +262,7 @@ class Executive:
             case command.Report() | command.Load():
                 self._unit.tell(self._statuses(now) if isinstance(order, command.Report) else self._loads())
             case _:
-                self._change(order, now)
+                self._task_commands.change(order, now)
 
     # Appointments
 
@@ -236,20 +286,6 @@ class Executive:
                 case AppointmentStep.HOLD:
                     self._lifecycle.hold_alone(appointment.subsystems, now)
                     self._unit.tell(news.HeldAlone(appointment.number, now))
-
-    def _change(self, order: command.Command, now: int) -> None:
-        """What is done to one task while it lives."""
-        match order:
-            case command.Rank():
-                self._task_commands.rank(order)
-            case command.Reinit():
-                self._task_commands.reinit(order, now)
-            case command.Rebind():
-                self._task_commands.rebind(order)
-            case command.Clear():
-                self._task_commands.clear(order, now)
-            case command.Get() | command.Set():
-                self._task_commands.get_or_set(order, now)
 
     def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int, *, is_due: bool = False) -> None:
         """What a cycle led to besides its outputs. One that was due is often followed by others which are due."""

@@ -63,7 +63,8 @@ class RunningTask:
         """The present rate in hertz."""
         self._reads = self.binding.copies("in")
         self._writes = self.binding.copies("out")
-        self._checked_every = _cycles_to_check(spawn.frequency)
+        self.check_mask = _cycles_to_check(spawn.frequency)
+        """The bits of the number of cycles that are 0 when the module is looked at."""
         self._views = views
         declared = (port.port(name) for name, port in cls.declared_ports.items())
         self._moved = tuple((port.name, port.kind.is_input) for port in declared if port.kind.at_cycle)
@@ -197,7 +198,7 @@ class RunningTask:
         self.period_ns = period_of(frequency)
         self.frequency = frequency
         self.module.dt = 1.0 / frequency
-        self._checked_every = _cycles_to_check(frequency)
+        self.check_mask = _cycles_to_check(frequency)
         if self.input_guard is not None:
             self.input_guard.change_rate(self.period_ns)
         return self.period_ns
@@ -247,7 +248,7 @@ class RunningTask:
         for write in self._writes:
             write()
         took, counters = perf_counter_ns() - began, self.counters
-        if not counters.cycles & self._checked_every:
+        if not counters.cycles & self.check_mask:
             self.no_strays()
         counters.total_ns += took  # as Counters.add, without a call: this runs thousands of times a second
         counters.cycles += 1

@@ -18,6 +18,20 @@ class TaskCommands:
         self._unit = unit
         self._entry_points = calls
 
+    def change(self, order: command.Command, now: int) -> None:
+        """What is done to one task while it lives."""
+        match order:
+            case command.Rank():
+                self.rank(order)
+            case command.Reinit():
+                self.reinit(order, now)
+            case command.Rebind():
+                self.rebind(order)
+            case command.Clear():
+                self.clear(order, now)
+            case command.Get() | command.Set():
+                self.get_or_set(order, now)
+
     def clear(self, order: command.Clear, now: int) -> None:
         """Out of ERROR."""
         task = self._unit.tasks.get((order.subsystem, order.task))

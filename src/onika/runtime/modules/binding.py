@@ -4,7 +4,7 @@ import math
 import random
 from collections.abc import Callable, Mapping
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from onika.model import parameter
 from onika.ring.device import DeviceSheet
 from onika.ring.slots import Ring
 from onika.runtime.command import DeviceGrant, Spawn
-from onika.runtime.declaration import PortDeclaration, slot
+from onika.runtime.declaration import PortDeclaration, memory_slot, slot
 from onika.runtime.device import Device
 from onika.runtime.modules.module import Module
 from onika.runtime.picture import picture_size
@@ -25,6 +25,23 @@ if TYPE_CHECKING:
 
 Views = Mapping[str, memoryview]
 """Shared memory by name: `table:SUBSYSTEM`, `bus:WORLD`."""
+
+
+class CycleInput(NamedTuple):
+    """What a port takes in before each cycle: variable, its ring, the bytes of the module's copy."""
+
+    svar: str
+    ring: Ring
+    data: memoryview
+
+
+class CycleOutput(NamedTuple):
+    """What a port gives out after each cycle: variable, its ring, the bytes of the module's copy, its newest count."""
+
+    svar: str
+    ring: Ring
+    data: memoryview
+    own: list[int]
 
 
 class Binding:
@@ -43,6 +60,8 @@ class Binding:
         self._real_inputs: list[tuple[str, memoryview]] = []
         self.read_each_cycle: list[tuple[str, PortDeclaration, str, NDArray[Any], Ring]] = []
         """The real inputs but constants: port, as declared, variable, buffer, ring."""
+        self.cycle_inputs: list[CycleInput] = []
+        self.cycle_outputs: list[CycleOutput] = []
         self._published: dict[str, NDArray[Any]] = {}
         self._real_outputs: list[tuple[str, memoryview]] = []
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
@@ -71,6 +90,8 @@ class Binding:
             self._take_values(former)
         for attribute, shown in self._shown.items():
             setattr(instance, slot(attribute), shown)
+            if shown.ndim == 1 and shown.flags.writeable:
+                setattr(instance, memory_slot(attribute), shown.data)
         self.looks_at = tuple(dict.fromkeys([*self._copies["init_in"], *self._copies["in"]]))
 
     def _bind(self, attribute: str, svar: str, kind: str, shape: Shape, ring: Ring) -> None:
@@ -83,6 +104,8 @@ class Binding:
             shown = shown.view()
             shown.flags.writeable = False
             self._add(kind, "in", fetch)
+            if kind != "INCONST":
+                self.cycle_inputs.append(CycleInput(svar, ring, data))
             if kind == "INBOTH":
                 self.first_values.append((svar, ring))
             if kind != "INCONST":
@@ -94,6 +117,8 @@ class Binding:
         else:
             signed = ring.signed_writer(data)
             self._add(kind, "out", signed.publish)
+            if kind != "OUTCONST":
+                self.cycle_outputs.append(CycleOutput(svar, ring, data, signed.own))
             self._looks.append(signed.look)
             self._written.append(ring)
             if kind == "OUTCONST":
