@@ -35,6 +35,8 @@ POSE = "0 0 -1 0 1 0 0.7"
 LINES = {
     "ctraj": f"{POSE} 0 -0.2 1",
     "cguard": f"{POSE} 0 -0.2 1 20 5",
+    "csense": f"{POSE} 0 -0.2 6",
+    "cfollow": f"{POSE} 0 -0.2 6",
     "carc": f"{POSE} 0 -0.2 1 {POSE} 0.2 0.1 1",
     "jdrive": "1 0.5 1",
     "jpath": " ".join(["0"] * 36 + ["1"]),
@@ -124,6 +126,7 @@ def numbers_of_cell(count):
 CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
     "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"]),
     "arm_sim": sim_of_cell,
+    "gauge": numbers_of_cell(1),
     "base": base_of_cell,
     "camera": camera_of_cell,
     "legs": legs_of_cell,
@@ -281,7 +284,7 @@ def test_a_hundred_cycles_with_any_finite_input_end_well_and_write_finite_number
             bench.clear()
         feed(bench, device, rng)
         if bench.state is State.OFF:
-            bench.on(argument_line(bench, path.stem, rng))
+            bench.on(argument_line(bench, task_of(path).module, rng))
         assert bench.state is State.ON, bench.why
         feed(bench, device, rng)
         bench.cycle()
@@ -315,7 +318,7 @@ def test_an_exception_in_a_cycle_reaches_the_error_entry(path, tmp_path):  # R-A
     bench, device = bench_of(path, copy)
     jumping(bench.init())
     feed(bench, device, rng)
-    bench.on(argument_line(bench, path.stem, rng))
+    bench.on(argument_line(bench, task_of(path).module, rng))
     bench.task.module._planted = True
     feed(bench, device, rng)
     bench.cycle()

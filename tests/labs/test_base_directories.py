@@ -48,9 +48,11 @@ TRIGGERS = {
     "pursue",
     "gopose",
     "preshape",
+    "csense",
+    "cfollow",
 }
 MOVES = ("jmove", "cmove", "visit")
-OTHERS = ("gantry", "plate", "fingers", "modular", "motor")
+OTHERS = ("gantry", "hill", "plate", "fingers", "modular", "motor")
 """In the names of jobs of what is no PUMA."""
 BEGINS_ELSEWHERE = {"put_back", "visit"}
 """Applications that are nested in others, and begin where those have gone."""

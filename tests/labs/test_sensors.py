@@ -63,3 +63,19 @@ def test_a_wrench_without_weight_and_offset_is_what_presses_on_the_tool():  # R-
     show(rotation_of_rpy(-1.0, 0.3, 0.0), np.array([5.0, 0.0, -7.0]), np.array([0.0, 1.0, 0.0]))
     assert bench.cycle()["F_MEZ"] == pytest.approx([5, 0, -7, 0, 1, 0])
     assert bench.get("offset") == pytest.approx(3.0)
+
+
+def test_a_gauge_says_one_of_the_numbers_of_its_device():  # R-K05, R-K08
+    device = numbers(3)
+    device.state[:] = 0.1, -1.0, 0.3
+    said = [
+        Bench(MODULES / "gauge.py", frequency=250, device=device, local=local).init().on().cycle()["SENSE"]
+        for local in ({}, {"NUMBER": "2"}, {"NUMBER": "2", "FAR": "5"}, {"NUMBER": "3", "FAR": "5"})
+    ]
+    assert said == [0.1, -1.0, 5.0, 0.3]
+
+
+def test_a_gauge_of_a_number_that_is_not_there_says_so():  # R-X04
+    bench = Bench(MODULES / "gauge.py", frequency=250, device=numbers(3), local={"NUMBER": "4"}).init()
+    assert bench.state is State.ERROR
+    assert "publishes 4 numbers or more, found one that publishes 3" in bench.why

@@ -90,3 +90,17 @@ def test_a_broken_world_is_told_with_its_line_before_anything_moves(tmp_path, ca
     told = "".join(capsys.readouterr())
     assert f"{broken}:{line}: expected" in told
     assert "1/3" not in told
+
+
+def test_it_goes_down_until_the_hill_is_near_and_over_it_always_as_near(tmp_path, capsys):  # R-K08, R-K05
+    near = ("--expect", "SENSE > 0.118", "--expect", "SENSE < 0.122")
+    behind = run(capsys, "hill_tour", "--virtual", *near, "--expect", "Q_MEZ[0] > 0.18", "--expect", "Q_MEZ[2] > 0.1")
+    assert (behind[0], behind[1]["state"], behind[1]["notes"]) == (0, "completed", [])
+    copytree(LAB, tmp_path, dirs_exist_ok=True)
+    program = tmp_path / "appl" / "hill_tour.appl"
+    whole = program.read_text()
+    last = whole.rindex("ROUTINE     follow_hillC")
+    program.write_text(whole[:last] + whole[whole.rindex("ENDFLOW") :])
+    on_top = ("--expect", "Q_MEZ[2] < 0.025", "--expect", "Q_MEZ[2] > 0.015")
+    code, result = run(capsys, str(program), "--virtual", *near, *on_top)
+    assert (code, result["state"]) == (0, "completed")
