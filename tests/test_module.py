@@ -5,8 +5,9 @@ from onika.model.signal import Signal
 from onika.runtime.modules.module import Module
 
 NAMES = [
-    "AskAgain", "Device", "InBoth", "InConst", "InVar", "Input", "Local", "Module", "ModuleError", "OutBoth",
-    "OutConst", "OutVar", "Partner", "Signal", "finish", "illegal", "legal", "module", "off", "shutdown", "user_signal",
+    "AskAgain", "Device", "GuestAction", "InBoth", "InConst", "InVar", "Input", "Local", "Module", "ModuleError",
+    "OutBoth", "OutConst", "OutVar", "Partner", "Signal", "finish", "illegal", "legal", "module", "off", "shutdown",
+    "user_signal",
 ]  # fmt: skip
 
 

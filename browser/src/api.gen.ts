@@ -1215,6 +1215,7 @@ export interface ApplicationView {
   redirects?: (RedirectView)[];
   forecast?: ForecastView;
   worlds?: Record<string, (string)[]>;
+  guests?: Record<string, string>;
   stations?: Record<string, string>;
 }
 
@@ -1920,6 +1921,7 @@ export interface FlowRunView {
   is_nested?: boolean;
   text?: Reason;
   worlds?: (string)[];
+  guest?: string;
   station?: string;
 }
 

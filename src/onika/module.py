@@ -5,12 +5,14 @@ from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutB
 from onika.runtime.device import Device
 from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.modules.function import module
+from onika.runtime.modules.guest_action import GuestAction
 from onika.runtime.modules.module import Module
 from onika.runtime.partner.partner import Partner
 
 __all__ = [
     "AskAgain",
     "Device",
+    "GuestAction",
     "InBoth",
     "InConst",
     "InVar",

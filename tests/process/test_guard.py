@@ -17,7 +17,7 @@ PATIENCE_S = 60.0
 class Kept:
     """A keeper with its lifeline; the program it keeps has a pipe as its output."""
 
-    def __init__(self, *command):
+    def __init__(self, *command, manner="partner"):
         self.lifeline, theirs = socket.socketpair()
         self.lifeline.settimeout(PATIENCE_S)
         self.output, child_output = os.pipe()
@@ -26,7 +26,7 @@ class Kept:
             os.dup2(theirs.fileno(), guard.LIFELINE)
 
         subprocess.run(
-            [sys.executable, "-I", "-S", guard.__file__, "partner", *command],
+            [sys.executable, "-I", "-S", guard.__file__, manner, *command],
             stdin=subprocess.DEVNULL,
             stdout=child_output,
             preexec_fn=third,
@@ -63,8 +63,8 @@ class Kept:
 def keep():
     made = []
 
-    def start(*command):
-        made.append(Kept(*command))
+    def start(*command, manner="partner"):
+        made.append(Kept(*command, manner=manner))
         return made[-1]
 
     yield start
@@ -102,6 +102,15 @@ def test_a_program_that_does_not_want_to_end_is_ended_with_all_it_started(keep):
 
 LEAVES = "import os, time; os.fork() and ({}); os.setsid(); print('up', flush=True); time.sleep(1000)"
 """A program that leaves a child behind in a session of its own; what else it does."""
+
+
+@pytest.mark.parametrize("manner", ["partner", "listener"])
+def test_a_program_that_does_not_end_by_itself_is_asked_to(keep, manner):  # R-F04, R-A20
+    kept = keep("sh", "-c", "trap 'echo asked; exit' TERM; echo up; while :; do sleep 0.01; done", manner=manner)
+    assert kept.first_line() == "up\n"
+    kept.lifeline.close()
+    assert kept.first_line() == "asked\n"
+    assert kept.output_ends()
 
 
 def test_nothing_is_left_of_a_program_that_ends_at_once_when_it_shall(keep):  # R-F04

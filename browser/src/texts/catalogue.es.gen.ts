@@ -3097,6 +3097,8 @@ export const catalogue: Readonly<Record<string, string>> = {
   "runtime.free_memory": "memoria libre",
   "runtime.goes_off": "{why}: se apaga",
   "runtime.guard_overwritten": "se escribió encima de su guarda",
+  "runtime.guest_outcome": "se esperaba del huésped un entero como flujo y un valor lógico como bucle; hay {flow} y {loop}",
+  "runtime.guest_values": "se esperaban del huésped solo valores de {names}; hay {given}",
   "runtime.hardware_too_slow": "se esperaba una tarea de hardware de al menos {slowest_hardware_hz:g} Hz; es de {frequency:g} Hz",
   "runtime.in_exchanged": "{why}, en el módulo que se ha cambiado",
   "runtime.input_bound_kind": "entrada {name}: se esperaba un límite que sea un número o un INCONST; hay {bound:quoted}",

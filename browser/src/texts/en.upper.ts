@@ -93,6 +93,8 @@ export const enUpper = {
   'upper.insertBranch': 'Insert a branch…',
   'upper.conditions': 'Conditions…',
   'upper.addLane': 'Add a flow to this branch',
+  'upper.guest': 'guest {name}',
+  'upper.guestHint': 'All actions of this flow are carried out by {name}, a program of another framework.',
   'upper.addFlow': 'Add a flow',
   'upper.removeFlow': 'Remove {name}',
   'upper.removeThisFlow': 'Remove the flow of the cursor',

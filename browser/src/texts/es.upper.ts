@@ -95,6 +95,8 @@ export const esUpper: Record<keyof typeof enUpper, string> = {
   'upper.insertBranch': 'Insertar una bifurcación…',
   'upper.conditions': 'Condiciones…',
   'upper.addLane': 'Añadir un flujo a esta bifurcación',
+  'upper.guest': 'huésped {name}',
+  'upper.guestHint': 'Todas las acciones de este flujo las realiza {name}, un programa de otro entorno.',
   'upper.addFlow': 'Añadir un flujo',
   'upper.removeFlow': 'Quitar el {name}',
   'upper.removeThisFlow': 'Quitar el flujo del cursor',

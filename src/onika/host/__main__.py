@@ -48,6 +48,7 @@ from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
 from onika.runtime.execution.whereabouts import Whereabouts
+from onika.runtime.partner.address import OWN_NAME
 from onika.store.audit_trail import OFF, AuditTrail, open_for
 from onika.wire import event
 from onika.wire.world_values import options_of, world_values
@@ -78,6 +79,7 @@ def _run(words: list[str]) -> None:
         die_with_parent(given.parent)
     ending = ShutdownSignals(is_launched=given.parent is not None)
     open_output_pipes()
+    os.environ[OWN_NAME] = secrets.token_hex(8)  # its processes inherit it, and no other runtime has it
     if given.forecast:
         os.nice(_FORECAST_NICE)
     _guard_files(given)

@@ -5,6 +5,8 @@ Run as a script of its own, in one of two ways, with a socket, the lifeline, und
 `python -I -S guard.py partner COMMAND…` keeps a program that a task has started; the lifeline is the descriptor 3. The
 program runs as long as the other end of the lifeline is open. When that is closed, by the task or because its whole
 process is gone, the program has a moment to end by itself, which the end of its input tells it to; then it is ended.
+With `listener` in place of `partner` it has no input that could end, and is asked to end at once: its address is free
+for the next one.
 When the program ends first, the guard says how on the lifeline, and who was left behind lives as long as the task.
 
 `python -I -S guard.py runtime N` keeps a runtime; the lifeline is the descriptor N, and brings the command. When the
@@ -41,8 +43,8 @@ _LONGEST_ORDER = 1 << 20
 _ADOPT_ORPHANS = 36  # PR_SET_CHILD_SUBREAPER of prctl(2)
 
 
-def keep_partner(command: list[str], lifeline: int) -> None:
-    """Start the program of a task, and see to its end."""
+def keep_partner(command: list[str], lifeline: int, grace_s: float) -> None:
+    """Start the program of a task, and see to its end; `grace_s` is how long it has to end by itself."""
     try:
         program = subprocess.Popen(command, start_new_session=True)  # noqa: S603 - who may start it was judged before
     except OSError as wrong:
@@ -55,7 +57,7 @@ def keep_partner(command: list[str], lifeline: int) -> None:
         code = program.wait()
         say(lifeline, f"signal {-code}" if code < 0 else f"exit {code}")
         select.select([lifeline], [], [])  # who was left behind may go on as long as the task lives
-    end_family(GRACE_S, GRACE_S)
+    end_family(grace_s, GRACE_S)
 
 
 def keep_runtime(lifeline: int) -> None:
@@ -217,7 +219,7 @@ def main(words: list[str]) -> None:
     with contextlib.suppress(OSError):
         os.sched_setaffinity(0, range(os.cpu_count() or 1))
     adopt_orphans()
-    keep_partner(words[1:], LIFELINE)
+    keep_partner(words[1:], LIFELINE, 0.0 if words[0] == "listener" else GRACE_S)
 
 
 if __name__ == "__main__":

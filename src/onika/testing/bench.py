@@ -38,8 +38,9 @@ _SECOND = 1_000_000_000
 class Bench:
     """One module under test, by its file. Raises ValueError for a file that is no module and for bad LOCAL lines.
 
-    `frequency` in Hz (None: aperiodic), `local` the LOCAL lines by name, `constants` the INCONSTs by name and whatever
-    shapes need. Inputs are set and outputs read by index: `bench["Q_MEZ"] = [0.0] * 6`. Calls chain.
+    `frequency` in Hz (None: aperiodic; with `is_synchronous` the task is a synchronous one, whose `event` the test
+    leads), `local` the LOCAL lines by name, `constants` the INCONSTs by name and whatever shapes need. Inputs are set
+    and outputs read by index: `bench["Q_MEZ"] = [0.0] * 6`. Calls chain.
     """
 
     def __init__(
@@ -51,6 +52,7 @@ class Bench:
         constants: Mapping[str, Any] | None = None,
         device: BenchDevice | None = None,
         seed: int = 0,
+        is_synchronous: bool = False,
     ) -> None:
         self.path = Path(file)
         self.now_ns = 0
@@ -58,6 +60,7 @@ class Bench:
         self.news: list[news.News] = []
         self._source = self.path.read_text(encoding="utf-8")
         self._frequency, self._device, self._seed = frequency, device, seed
+        self._is_synchronous = is_synchronous
         self._local = tuple((key, _words(value)) for key, value in (local or {}).items())
         self.cls = _class_of(self._source, self.path)
         segment = Segment.create(_HOME, _TABLE_BYTES)
@@ -114,6 +117,11 @@ class Bench:
             self._publish()
             self.news += self._executive.run_next(due) or []
             self.cycles += 1
+        return self
+
+    def event(self) -> Self:
+        """The event of a synchronous task has come; where it has a partner that is what this has said, if anything."""
+        self.news += self._executive.event((_HOME, _TASK), self.now_ns)
         return self
 
     def off(self) -> Self:
@@ -194,7 +202,7 @@ class Bench:
 
     def _spawn_of(self, path: Path, source: str, ports: tuple[command.BoundPort, ...]) -> command.Spawn:
         device = None if self._device is None else self._device.grant()
-        kind = "periodic" if self._frequency else "aperiodic"
+        kind = "synchronous" if self._is_synchronous else "periodic" if self._frequency else "aperiodic"
         return command.Spawn(
             _HOME, _TASK, path.stem, str(path), source, kind, self._frequency, self._local,
             ports, 0, self._seed, device,

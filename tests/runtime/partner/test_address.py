@@ -1,10 +1,11 @@
 """Where a partner listens."""
 
+import os
 import socket
 
 import pytest
 
-from onika.runtime.partner.address import PartnerAddress
+from onika.runtime.partner.address import OWN_NAME, PartnerAddress
 
 
 @pytest.mark.parametrize(
@@ -21,7 +22,8 @@ def test_an_address_is_a_path_or_a_machine_and_its_port(words, family, place):  
 
 
 @pytest.mark.parametrize(
-    "words", ["", "unix:", "tcp:", "tcp:host", "tcp::7801", "tcp:127.0.0.1:0", "tcp:127.0.0.1:70000", "http://x:1"]
+    "words",
+    ["", "unix:", "unix:@", "tcp:", "tcp:host", "tcp::7801", "tcp:127.0.0.1:0", "tcp:127.0.0.1:70000", "http://x:1"],
 )
 def test_anything_else_is_refused(words):
     with pytest.raises(ValueError, match="expected unix:PATH or tcp:HOST:PORT"):
@@ -47,3 +49,18 @@ def test_a_call_is_a_connection_that_never_blocks(tmp_path, family):
         line, _ = PartnerAddress.parse(words).call()
         with line, server.accept()[0]:
             assert not line.getblocking()
+
+
+def test_a_name_without_a_file_is_one_too():  # R-A20
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind("\0onika-test-of-addresses")
+        server.listen()
+        line, stands = PartnerAddress.parse("unix:@onika-test-of-addresses").call()
+        line.close()
+        assert stands
+
+
+def test_a_runtime_has_a_name_of_its_own_in_addresses():  # R-A20
+    address = PartnerAddress.parse("unix:@{runtime}/expert", {OWN_NAME: "7f3a"})
+    assert (address.words, address.place) == ("unix:@7f3a/expert", "\0" + "7f3a/expert")
+    assert PartnerAddress.parse("unix:@{runtime}/expert", {}).words == f"unix:@{os.getpid()}/expert"

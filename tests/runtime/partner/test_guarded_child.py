@@ -3,6 +3,7 @@
 import select
 import socket
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -65,3 +66,11 @@ def test_when_it_is_closed_the_program_hears_the_end_of_its_input_and_has_time_t
     assert ours.recv(1) == b""  # the program is gone with its end
     assert (tmp_path / "last").read_text() == "done\n"
     ours.close()
+
+
+def test_programs_beside_its_own_interpreter_come_first(start):  # R-A20
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        ours.settimeout(PATIENCE_S)
+        start("sh", "-c", "echo $PATH", conversation=theirs.fileno())
+        assert ours.makefile().readline().split(":")[0] == str(Path(sys.executable).parent)

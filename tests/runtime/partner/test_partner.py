@@ -324,3 +324,16 @@ def test_a_partner_that_is_forgotten_hangs_up(outsider):
 def test_words_that_cannot_be_used_are_refused(given, reason):
     with pytest.raises(ModuleError, match=reason):
         Partner(**given)
+
+
+def test_to_hang_up_gives_the_question_up_and_the_next_one_calls_again(partner, outsider):  # R-A20
+    partner.ask("double", x=1)
+    first = outsider.accept()
+    first.read()
+    partner.hang_up()
+    assert first.has_ended()
+    assert not partner.is_awaited
+    partner.ask("double", x=2)
+    call = outsider.accept()
+    call.answer(call.read(), y=4)
+    assert wait(partner)

@@ -1,10 +1,19 @@
-"""Where an outside partner listens: `unix:PATH` or `tcp:HOST:PORT` (F04)."""
+"""Where an outside partner listens: `unix:PATH`, `unix:@NAME` or `tcp:HOST:PORT` (F04).
 
+`unix:@NAME` is a name without a file, of Linux's abstract namespace. `{runtime}` in an address is a name that no other
+runtime has, so that several on one machine do not share a partner.
+"""
+
+import os
 import socket
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
+
+OWN_NAME = "ONIKA_RUNTIME"
+"""The environment variable in which a runtime tells its processes the name that no other runtime has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,12 +25,13 @@ class PartnerAddress:
     place: str | tuple[str, int]
 
     @classmethod
-    def parse(cls, words: str) -> "PartnerAddress":
+    def parse(cls, written: str, environment: Mapping[str, str] = os.environ) -> "PartnerAddress":
         """Raises ValueError that says what was expected. To look a name up may take long: not for a cycle."""
+        words = written.replace("{runtime}", environment.get(OWN_NAME, str(os.getpid())))
         kind, _, rest = words.partition(":")
         host, _, port = rest.rpartition(":")
-        if kind == "unix" and rest:
-            return cls(words, socket.AF_UNIX, rest)
+        if kind == "unix" and rest.removeprefix("@"):
+            return cls(words, socket.AF_UNIX, f"\0{rest[1:]}" if rest.startswith("@") else rest)
         if kind == "tcp" and host and port.isdecimal() and 0 < int(port) < 65536:
             try:
                 addresses = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)

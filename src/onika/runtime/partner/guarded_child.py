@@ -58,11 +58,11 @@ class GuardedChild:
         else:
             actions = [(os.POSIX_SPAWN_DUP2, conversation, 0), (os.POSIX_SPAWN_DUP2, conversation, 1)]
         actions.append((os.POSIX_SPAWN_DUP2, lifeline, guard.LIFELINE))
-        words = [sys.executable, "-I", "-S", _GUARD, "partner", *self.command]
+        words = [sys.executable, "-I", "-S", _GUARD, "listener" if address else "partner", *self.command]
         self._pid = os.posix_spawn(
             sys.executable,
             words,
-            os.environ | ({"ONIKA_PARTNER": address} if address else {}),
+            _surroundings(address),
             file_actions=actions,
             setsigdef=_DEFAULT,
             setsigmask=(),
@@ -73,6 +73,12 @@ class GuardedChild:
         """The process that was started ends at once, its guard is another one; so there is nothing to wait for."""
         with contextlib.suppress(ChildProcessError):
             os.waitpid(self._pid, os.WNOHANG)
+
+
+def _surroundings(address: str) -> dict[str, str]:
+    """Its environment: programs beside the interpreter of the runtime come first, as `python3` with what it has."""
+    path = os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", os.defpath)))
+    return os.environ | {"PATH": path} | ({"ONIKA_PARTNER": address} if address else {})
 
 
 def _how_ended(words: str) -> Reason:

@@ -106,6 +106,11 @@ class Partner:
             raise ModuleError(self._of_partner(Reason.of("runtime.no_answer_yet")))
         return PartnerAnswer(self._protocol.answer)
 
+    def hang_up(self) -> None:
+        """Give a question up by ending the connection, from which the partner sees that nobody waits any more."""
+        self._give_up()
+        self._drop()
+
     # What the runtime calls
 
     @property

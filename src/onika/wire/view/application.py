@@ -121,6 +121,8 @@ class ApplicationView(View, frozen=True):
     forecast: ForecastView = ForecastView()
     worlds: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """The worlds that its flows drive, by their subsystems, as it was judged last."""
+    guests: dict[str, str] = field(default_factory=dict)
+    """The guest of a flow: what carries out all its actions, by its subsystem, as it was judged last."""
     stations: dict[str, str] = field(default_factory=dict)
     """Where its flows are carried out, by subsystem; under the empty one, where all others are."""
 

@@ -49,6 +49,8 @@ class FlowRunView(View, frozen=True):
     """Why it stands, where that is worth a word."""
     worlds: tuple[str, ...] = ()
     """The worlds in which its tasks have devices."""
+    guest: str = ""
+    """The program of another framework that carries out all its actions; empty: there is none."""
     station: str = ""
     """Where it is carried out, where the flows of a run are at several stations."""
 

@@ -137,3 +137,14 @@ def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-
     )
     play.do(fault.remedies[0].act)
     assert any(step.kind == "branch" for step in play.environment.tree.applications[doc].steps.values())
+
+
+def test_a_flow_that_a_guest_carries_out_bears_its_name(play):  # R-A20
+    judge = ReadinessJudge(play.site)
+    play.files.module("asks", "from onika.module import Module\n\nclass Asks(Module):\n    trigger = True\n")
+    play.files.plain_task("asks", local="GUEST oracle\n")
+    play.files.configuration("asksC", "asks 100")
+    theirs, mixed = play.open([job("asksC")]), play.open([job("asksC"), job("aC")], name="mixed")
+    look(play, judge, judge.cases(play.environment.model))
+    shown = play.environment.tree.applications
+    assert (shown[theirs].guests, shown[mixed].guests) == ({"flow0": "oracle"}, {})

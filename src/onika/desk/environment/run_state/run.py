@@ -8,6 +8,7 @@ from msgspec import structs
 
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
+from onika.desk.plan.flow_guests import guest_of
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.flow_worlds import driven_worlds
 from onika.desk.run.flow_status import FlowStatus
@@ -164,7 +165,11 @@ def begun(
     """A run that is about to begin; `at_s` is seconds since 1970."""
     flows = {
         flow.subsystem: FlowRunView(
-            order, of=len(flow.actions), is_nested=flow.parent is not None, worlds=driven_worlds(flow)
+            order,
+            of=len(flow.actions),
+            is_nested=flow.parent is not None,
+            worlds=driven_worlds(flow),
+            guest=guest_of((flow,)),
         )
         for order, flow in enumerate(plan.flows)
     }

@@ -19,6 +19,7 @@ from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.desk.plan import redirection
+from onika.desk.plan.flow_guests import guests_by_flow
 from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.desk.plan.preparation import PreparedRun
 from onika.model.application import Application
@@ -97,7 +98,9 @@ class ReadinessJudge:
         troubles = FaultViews.of(opened, case.syntax, prepared, self._site)
         fault_views = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
         worlds = worlds_by_flow(prepared.plan) if prepared.plan is not None else {}
-        return Judgement(opened.application, fault_views, case.has_new_files, _homes(opened, prepared), worlds)
+        guests = guests_by_flow(prepared.plan) if prepared.plan is not None else {}
+        homes = _homes(opened, prepared)
+        return Judgement(opened.application, fault_views, case.has_new_files, homes, worlds, guests)
 
     def _is_new(self, case: ReadinessCase) -> bool:
         former = self._known.get(case.opened.id)
@@ -140,8 +143,8 @@ def judged(model: Model, doc: str, judgement: Judgement) -> Done:
         opened = replace(opened, looked=None, foretelling=None)
     former = opened.judgement
     if former is not None and former.faults == judgement.faults:
-        judgement = Judgement(judgement.of, former.faults, homes=judgement.homes, worlds=judgement.worlds)
-        stays = (former.homes, former.worlds) == (judgement.homes, judgement.worlds)
+        judgement = replace(judgement, faults=former.faults, has_new_files=False)
+        stays = (former.homes, former.worlds, former.guests) == (judgement.homes, judgement.worlds, judgement.guests)
         is_same = former.of is judgement.of and stays
         if is_same and opened is model.applications[doc]:
             return Done(model)

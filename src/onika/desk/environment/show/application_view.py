@@ -76,6 +76,7 @@ class ApplicationProjector:
             redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
             forecast=_forecast(opened),
             worlds=dict(opened.judgement.worlds) if opened.judgement is not None else {},
+            guests=dict(opened.judgement.guests) if opened.judgement is not None else {},
         )
 
     def _marked(self, looked_at: OpenApplication | None) -> dict[str, StepView]:

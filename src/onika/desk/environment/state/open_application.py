@@ -26,6 +26,8 @@ class Judgement:
     """Of each task for which another one stands: the flows that use it."""
     worlds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """The worlds that each flow drives which is not nested, with what is nested in it, by its subsystem."""
+    guests: Mapping[str, str] = field(default_factory=dict)
+    """The guest of each flow that has one, by its subsystem."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,19 @@
+"""The expert reports."""
+
+from onika.module import GuestAction
+
+
+class ExpertReports(GuestAction):
+    """Has an expert system say what stands and what is to come, as a warning.
+
+    Kind     trigger, synchronous, 1..100 Hz
+    Local    GUEST     string  -  name of the guest
+             PARTNER   line    -  where the guest listens: unix:PATH or tcp:HOST:PORT
+             STARTS    line    -  what starts the guest, if the task is to do that
+             PATIENCE  double  s  how long the action may take
+    Finish   flow 0, loop FALSE, when the expert has done so
+    Errors   no answer    ERROR: the expert is gone, refuses, or takes longer than PATIENCE
+    Source   Gertz and Khosla, section III
+    """
+
+    action = "report"
