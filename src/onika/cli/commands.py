@@ -35,6 +35,7 @@ COMMANDS = (
     "recording",
     "share",
     "report",
+    "study",
     "console",
     "check",
     "new",

@@ -19,8 +19,14 @@ def load(path: Path, file: str) -> tuple[str | None, tuple[Fault, ...]]:
 
     Never waits: a pipe or device is a fault.
     """
+    data, faults = load_bytes(path, file)
+    return (None, faults) if data is None else decode(data, file)
+
+
+def load_bytes(path: Path, file: str) -> tuple[bytes | None, tuple[Fault, ...]]:
+    """What a file holds, whatever it is; None with the fault where it cannot be read."""
     try:
-        data = _data(path)
+        return _data(path), ()
     except OSError as error:
         reason = system_reason(error)
         return None, (
@@ -32,7 +38,6 @@ def load(path: Path, file: str) -> tuple[str | None, tuple[Fault, ...]]:
                 Place(file), Reason.of("files.unreadable_why", why=reason_of(wrong)), Reason.of("words.file_left_out")
             ),
         )
-    return decode(data, file)
 
 
 def decode(data: bytes, file: str) -> tuple[str | None, tuple[Fault, ...]]:

@@ -1,0 +1,1 @@
+"""Logs of subjects that never were, for tests of studies."""
