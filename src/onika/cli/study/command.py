@@ -4,10 +4,10 @@ import argparse
 from types import ModuleType
 
 from onika.cli.language import say
-from onika.cli.study import report
+from onika.cli.study import design, report
 from onika.words.reason import Reason
 
-VERBS: dict[str, ModuleType] = {"report": report}
+VERBS: dict[str, ModuleType] = {"design": design, "report": report}
 """In the order in which the help shows them."""
 
 
