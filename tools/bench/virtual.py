@@ -86,6 +86,7 @@ def whole_run(prepared: Preparation) -> tuple[float, event.Result]:
     """CPU seconds of one run, and its result."""
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell)
+    driver.offer(prepared.plan.worlds)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.applications.take("", prepared)
     began = process_time()
@@ -126,7 +127,7 @@ def main() -> None:
         took, result = whole_run(prepared)
         totals.append(took)
         physics.append(recorder.replay())
-    assert result is not None
+    assert result is not None and result.completed, result
     ratio = statistics.median(total / alone for total, alone in zip(totals, physics, strict=True))
     steps = sum(len(commands) for _, _, commands in recorder.parts)
     print(f"{given.application}: {result.runtime_s:.2f} s simulated, {steps} steps, values {result.values}")
