@@ -1,6 +1,6 @@
 """The news that an RTPU sends to the runner, one datagram each: signals, answers, status. None is merged or dropped."""
 
-from typing import Any
+from typing import Any, get_args
 
 import msgspec
 from msgspec import Struct, structs
@@ -262,6 +262,9 @@ TaskNews = (
 )
 """Of one task, which each names."""
 
+OF_TASKS = frozenset(get_args(TaskNews))
+"""The same as kinds: to look one up is quicker than to ask for each of them, and every switch tells several."""
+
 News = TaskNews | Unprepared | Got | Statuses | Loads | Appointed | HeldAlone
 
 
@@ -272,12 +275,16 @@ def _plain(value: Any) -> Any:
     return str(value)
 
 
+_WITH_SENTENCES = frozenset((Failed, Warned, Signalled, Asked, Refused))
+
 encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode
 decode = msgspec.msgpack.Decoder(News).decode
 
 
 def in_english(word: News) -> News:
     """The news with its sentence in English alone: what a run is, and hashes to, knows no keys and no translations."""
+    if type(word) not in _WITH_SENTENCES:
+        return word
     match word:
         case Failed() | Warned() | Signalled():
             return structs.replace(word, text=str(word.text))

@@ -8,6 +8,7 @@ does so when the client has decided what follows, for it may give the rest up (l
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import count
+from typing import cast
 
 from onika.engine import orders
 from onika.host.execution.spawner import Spawner
@@ -231,22 +232,22 @@ class SubsystemExecutor:
         member = self.members.get(message.task)
         if member is None or member.rtpu in self._lost:
             return  # the last words of a unit that is gone: its tasks are dead already
-        before, at_ns = member.state, happened_at(message, now)
+        kind, before, at_ns = type(message), member.state, happened_at(message, now)
         self._tell_of(message, at_ns)
         state = state_after(message)
         if state is not None:
             self._turn(message.task, state, at_ns)
-        if isinstance(message, news.Failed) and before is State.ON and message.entry != "off":
+        if kind is news.Failed and before is State.ON and cast("news.Failed", message).entry != "off":
             self._has_failed_at_work(message.task)
         if state in (State.ON, State.ASKING):
             self._dispatch.settled(message.task)
-        if isinstance(message, news.Refused) and message.command == "spawn":
+        if kind is news.Refused and cast("news.Refused", message).command == "spawn":
             self.spawner.release(message.task, member)
             member.is_sent = False
         self._client(message, before)
         if state in (State.ERROR, State.KILLED) or _ends_a_launch(message):
             self._dispatch.settled(message.task)
-        if isinstance(message, news.Initialised):
+        if kind is news.Initialised:
             self.spawn_ready()
 
     def lost(self, rtpu: str, now: int) -> None:
@@ -313,24 +314,23 @@ class SubsystemExecutor:
 
 def happened_at(message: news.TaskNews, now: int) -> int:
     """When it happened, where the unit says so, else when it was heard."""
-    if isinstance(message, news.Cycled | news.Stepped):
+    if type(message) is news.Cycled or type(message) is news.Stepped:
         return message.at_ns
     return getattr(message, "now_ns", now)
 
 
 def _ends_a_launch(message: news.TaskNews) -> bool:
-    return isinstance(message, news.Refused) and message.command in _ENDS_A_LAUNCH
+    return type(message) is news.Refused and message.command in _ENDS_A_LAUNCH
 
 
 def state_after(message: news.TaskNews) -> State | None:
     """The state in which a task is after this news; None: the same as before."""
-    match message:
-        case news.Initialised() | news.Finished():
-            return State.OFF
-        case news.Changed():
-            return State(message.state)
-        case news.Failed():
-            return State.ERROR
-        case news.Asked():
-            return State.ASKING
-    return None
+    if type(message) is news.Changed:
+        return _STATES[message.state]
+    return _AFTER.get(type(message))
+
+
+_STATES = {state.value: state for state in State}
+_AFTER: dict[type, State] = {
+    news.Initialised: State.OFF, news.Finished: State.OFF, news.Failed: State.ERROR, news.Asked: State.ASKING,
+}  # fmt: skip

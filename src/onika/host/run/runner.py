@@ -7,6 +7,7 @@ subsystem. It waits for nothing.
 from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import count
+from typing import cast
 
 from onika.engine import news as engine_news, orders
 from onika.engine.engine import Engine
@@ -243,13 +244,13 @@ class Runner:
     def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Take in one piece of news."""
         self._now = now
-        if isinstance(message, news.Statuses):
+        if type(message) in news.OF_TASKS:
+            self._hear_of_task(cast("news.TaskNews", message))
+        elif isinstance(message, news.Statuses):
             self._report(rtpu, message)
         elif isinstance(message, news.Appointed | news.HeldAlone):
             if self.rendezvous is not None:
                 self.rendezvous.hear(rtpu, message, now)
-        elif isinstance(message, news.TaskNews):
-            self._hear_of_task(message)
         elif isinstance(message, news.Unprepared) and message.subsystem in self._flows:
             self._prepared_switches.freed(self._flows[message.subsystem])
             self._prepared_switches.refresh()

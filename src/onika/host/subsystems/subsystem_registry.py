@@ -1,7 +1,7 @@
 """Every subsystem of a runtime, held by hand or by an application; news finds its way here."""
 
 from collections.abc import Callable, Collection, Mapping
-from typing import Protocol
+from typing import Protocol, cast
 
 from onika.host.run.application_run import ApplicationRun
 from onika.host.run.clock_gate import ClockGate
@@ -214,28 +214,36 @@ class Subsystems:
 
     def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Tell whose task it is."""
-        if isinstance(message, news.Loads):
-            self.forecast.hear(
-                message.rtpu, [(load, self._digest(load.subsystem, load.task)) for load in message.tasks]
-            )
-            return
-        if isinstance(message, news.Statuses):
-            self.status_poll.hear(message)
-            for each in self.runs:
-                each.hear(rtpu, message, now)
-            return
-        if isinstance(message, news.Appointed | news.HeldAlone):
-            for each in self.runs:
-                each.hear(rtpu, message, now)
-            return
-        if isinstance(message, news.Got) or (isinstance(message, news.Refused) and message.command == "get or set"):
+        if type(message) not in news.OF_TASKS:
+            self._hear_of_unit(rtpu, message, now)
+        elif type(message) is news.Refused and message.command == "get or set":
             self.status_poll.answered(message)
-            return
+        else:
+            self._hear_of_task(rtpu, cast("news.TaskNews", message), now)
+
+    def _hear_of_task(self, rtpu: str, message: news.TaskNews | news.Unprepared, now: int) -> None:
         run = self.run_in(message.subsystem)
         if run is not None:
             run.hear(rtpu, message, now)
         elif message.subsystem in self.live:
             self.live[message.subsystem].hear(rtpu, message, now)
+
+    def _hear_of_unit(self, rtpu: str, message: news.News, now: int) -> None:
+        match message:
+            case news.Loads():
+                loads = [(load, self._digest(load.subsystem, load.task)) for load in message.tasks]
+                self.forecast.hear(message.rtpu, loads)
+            case news.Statuses():
+                self.status_poll.hear(message)
+                for each in self.runs:
+                    each.hear(rtpu, message, now)
+            case news.Appointed() | news.HeldAlone():
+                for each in self.runs:
+                    each.hear(rtpu, message, now)
+            case news.Got():
+                self.status_poll.answered(message)
+            case news.Unprepared():
+                self._hear_of_task(rtpu, message, now)
 
     def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """A process is gone, and with a unit its tasks."""
