@@ -717,6 +717,13 @@ export interface SetButton {
   spawns_terminal?: boolean;
 }
 
+/** Play, pause or step the session that is replayed, or go to its end (H08); where none is, it is refused. */
+export interface SteerReplay {
+  t: 'SteerReplay';
+  wish: 'end' | 'pause' | 'play' | 'step';
+  speed?: number;
+}
+
 /** Put a replaced text where it was; what stands there now is kept in its place. The value is the path. */
 export interface BringBack {
   t: 'BringBack';
@@ -1660,6 +1667,25 @@ export interface UsedLibraryView {
   lacking?: number;
 }
 
+/** How far the replay of a session is, and the line that was carried out last, in the columns of the log. */
+export interface ReplayView {
+  file: string;
+  position: number;
+  count: number;
+  at_s?: number;
+  length_s?: number;
+  speed?: number;
+  is_playing?: boolean;
+  event?: string;
+  object?: string;
+  id?: string;
+  associated?: string;
+  associated_id?: string;
+  window?: string;
+  faults?: (Reason)[];
+  faults_in_all?: number;
+}
+
 /** A task that could stand for another one; with `reasons` it cannot. */
 export interface CandidateView {
   name: string;
@@ -2233,6 +2259,7 @@ export interface Tree {
   beside?: Record<string, RunView>;
   review?: ReviewView | null;
   keeping?: KeepingView | null;
+  replay?: ReplayView | null;
   people?: number;
 }
 
@@ -2325,6 +2352,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

@@ -23,7 +23,7 @@ CheckMemory LogReadings Answer Push Reset AddUnit RecordByHand Take Release Hand
 WatchNoMore SteerTaken BookRobot ProlongBooking TakeBackBooking
 Run Redirect Seats FindWorlds Steer SkipTo Dismiss PutBack Preflight
 ForeseenInstant WhatIf Teach PointAt FitTargets OpenRecording CloseRecording Recordings CompareWith
-ShareRecording"""
+ShareRecording SteerReplay"""
 PROGRAMMER = """New Save Reload Keep Undo Redo Place Exchange Remove Move Flip Align Arrange Show Copy Cut Paste Group
 Ungroup SaveGroup Insert Rate Unit OpenLibrary CloseLibrary Alias LibraryRate Local KeepSet SwitchSet
 RemoveSet SaveTask ForgetTask ReadText WriteText NewModule ArrangeTask ArrangeIcon LoadModule

@@ -107,10 +107,10 @@ def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.Tes
 def begin(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Program]]:
     """Starts programs: `begin("jmoveC", "--no-connect")`; words that begin with a dash are options."""
 
-    def started_with(*words: str, folder: Path | None = None) -> Program:
+    def started_with(*words: str, folder: Path | None = None, command: tuple[str, ...] = ("page",)) -> Program:
         where = folder or tmp_path_factory.mktemp("onika")
         files = tuple(word for word in words if not word.startswith("-"))
-        program = Program(where, files, tuple(word for word in words if word.startswith("-")))
+        program = Program(where, files, tuple(word for word in words if word.startswith("-")), command)
         STARTED.append(program)
         return program
 

@@ -27,12 +27,15 @@ def _without_forecast(options: tuple[str, ...]) -> tuple[str, ...]:
 class Program:
     """The environment as a process, with a home, a state and a base directory of its own."""
 
-    def __init__(self, folder: Path, files: tuple[str, ...], options: tuple[str, ...]) -> None:
+    def __init__(
+        self, folder: Path, files: tuple[str, ...], options: tuple[str, ...], command: tuple[str, ...] = ("page",)
+    ) -> None:
         self.home, self.state = folder / "home", folder / "state"
         self.home.mkdir(parents=True, exist_ok=True)
         bases = [Path(option.removeprefix("--base=")) for option in options if option.startswith("--base=")]
         self._at_first = _copies([self.home, *bases], Path(tempfile.mkdtemp(dir=folder)))
-        self._words = ("page", *files, "--port", "0", "--no-browser", *_without_forecast(options))
+        more = _without_forecast(options) if command == ("page",) else options
+        self._words = (*command, *files, "--port", "0", "--no-browser", *more)
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("ONIKA_")}
         self._environment = {**inherited, "HOME": str(self.home), "XDG_STATE_HOME": str(self.state)}
         self.said: list[str] = []

@@ -6,6 +6,7 @@ import { canvas } from '../state/canvas.svelte'
 import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { send } from '../link/link'
+import { note } from '../link/note'
 import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal, type Point } from './refused.svelte'
 import { reviewLock } from './reviewLock'
@@ -20,6 +21,7 @@ export async function act(a: AnyAct, at?: Point): Promise<unknown> {
     return (await send(a)) ?? null
   } catch (why) {
     if (!(why instanceof Refusal)) throw why
+    note('show_refusal', why.key, a.t, 'main')
     showRefusal(why, at)
     announce(why.reason)
     return undefined
@@ -33,6 +35,7 @@ export async function follow(
   at?: Point,
 ): Promise<void> {
   hideRefusal()
+  note('take_remedy', remedy.label.key, remedy.act?.t ?? remedy.show?.t ?? '', 'main')
   if (remedy.show) reveal(remedy.show, doc)
   if (!remedy.act) return
   const answer = await act(remedy.act, at)

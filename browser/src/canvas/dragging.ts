@@ -71,6 +71,8 @@ export class DragBoxes implements Gesture {
     for (const [box, from] of this.from) if (box.x !== from.x || box.y !== from.y) moved[box.name] = [box.x, box.y]
     const dots: Record<string, [number, number]> = {}
     for (const [dot, from] of this.fromDot) if (dot.x !== from.x || dot.y !== from.y) dots[dot.svar] = [dot.x, dot.y]
+    if (Object.keys(moved).length || Object.keys(dots).length)
+      note('end_drag', ...Object.keys(moved), ...Object.keys(dots))
     if (Object.keys(moved).length) void move(moved, dots).finally(() => this.release())
     else this.release()
   }
@@ -131,6 +133,7 @@ export class DragDot implements Gesture {
     canvasState.isHolding = canvasState.isForBelow = false
     const dot = this.scene.dots.get(this.svar)
     if (!dot || (dot.x === this.from.x && dot.y === this.from.y)) return this.release()
+    note('end_drag', this.svar)
     void move({}, { [this.svar]: [dot.x, dot.y] }).finally(() => this.release())
   }
 

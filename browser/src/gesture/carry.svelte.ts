@@ -103,7 +103,9 @@ export class Carry {
     const { name, x, y, over } = this
     if (name && !over) return this.cancelled()
     this.stop()
-    if (name) over?.drop(name, x, y)
+    if (!name) return
+    note('end_drag', name, name, this.window, `${Math.round(x)},${Math.round(y)}`)
+    over?.drop(name, x, y)
   }
 
   /** It is put back, and the diary hears of it: no act says so. */

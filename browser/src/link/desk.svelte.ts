@@ -41,6 +41,7 @@ export function fullTree(tree: Tree): FullTree {
     beside: {},
     review: null,
     keeping: null,
+    replay: null,
   }
   return withParts({ ...empty, ...tree })
 }

@@ -8,7 +8,11 @@ export function note(
   object: string,
   id: string,
   window: 'lexi' | 'conf' | 'main' | 'stat' | 'svar' | 'dict' | 'appl',
+  associated = '',
+  associatedId = '',
 ): void {
-  if (desk.role === 'viewer') return // of whoever only watches nothing is kept
-  void send({ t: 'Note', event, object, id, window }).catch(() => undefined) // nobody waits for it
+  if (desk.role === 'viewer' || desk.now.replay) return // of whoever only watches nothing is kept
+  if (desk.live.preferences.keeps_diary === false) return
+  const named = { t: 'Note', event, object, id, associated, associated_id: associatedId, window } as const
+  void send(named).catch(() => undefined) // nobody waits for it
 }

@@ -15,6 +15,11 @@ export class Refusal extends Error {
     this.wrong = wrong
   }
 
+  /** Which sentence it is, in every language. */
+  get key(): string {
+    return this.why.key
+  }
+
   get reason(): string {
     return say(this.why)
   }

@@ -24,7 +24,12 @@ export function keepPlaces(): void {
     if (now === before || window.innerWidth < LEAST_WIDTH) return
     const timer = setTimeout(() => {
       before = now
-      void send({ t: 'Prefer', values: { places: placesOf(extent(), look.sizes, look.upperSizes, look.stands) } })
+      void send({
+        t: 'Prefer',
+        values: { places: placesOf(extent(), look.sizes, look.upperSizes, look.stands) },
+      }).catch(
+        () => undefined, // where nothing may be changed nothing is kept
+      )
     }, SETTLED_MS)
     return () => clearTimeout(timer)
   })

@@ -165,4 +165,17 @@ export const enRecording = {
   'share.making': 'Making the file…',
   'share.made': '{file} is made ({size}). It plays in any browser.',
   'share.coarse': 'So that the file stays small, it shows an instant every {seconds} s.',
+
+  'replay.bar': 'Replayed session',
+  'replay.of': 'Session {name}',
+  'replay.faults': '{n} not as it was',
+  'replay.steering': 'Steer the replay',
+  'replay.play': 'Play',
+  'replay.pause': 'Pause',
+  'replay.step': 'Step',
+  'replay.toEnd': 'To the end',
+  'replay.speed': 'Speed',
+  'replay.progress': 'How far the session is',
+  'replay.lines': 'line {n} of {count}',
+  'replay.over': 'The session is over; {n} could not be done as they were.',
 }

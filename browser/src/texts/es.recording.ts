@@ -167,4 +167,17 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'share.making': 'Haciendo el archivo…',
   'share.made': '{file} está hecho ({size}). Se reproduce en cualquier navegador.',
   'share.coarse': 'Para que el archivo sea pequeño, muestra un instante cada {seconds} s.',
+
+  'replay.bar': 'Sesión reproducida',
+  'replay.of': 'Sesión {name}',
+  'replay.faults': '{n} no como entonces',
+  'replay.steering': 'Dirigir la reproducción',
+  'replay.play': 'Reproducir',
+  'replay.pause': 'Pausa',
+  'replay.step': 'Paso',
+  'replay.toEnd': 'Al final',
+  'replay.speed': 'Velocidad',
+  'replay.progress': 'Hasta dónde va la sesión',
+  'replay.lines': 'línea {n} de {count}',
+  'replay.over': 'La sesión ha terminado; {n} no se pudieron hacer como entonces.',
 }

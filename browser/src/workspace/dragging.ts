@@ -33,6 +33,7 @@ export class Dragging implements Gesture {
     const { slot, lifted } = workspaceState
     const isCopy = event.ctrlKey || event.metaKey
     this.putDown()
+    if (slot || lifted?.isOutside) noteSteps('end_drag', this.steps)
     if (!slot && lifted?.isOutside && !workspaceState.isRunning) return void remove([...this.steps])
     if (!slot) return noteSteps('cancel_drag', this.steps)
     workspaceState.isQuiet = true

@@ -50,12 +50,18 @@ class Hub:
     """Brings acts to the environment, and its answers, patches, lines and frames to the browsers.
 
     clock   seconds since 1970
+    may     why a visitor may not do an act; empty: he may
     """
 
     def __init__(
-        self, environment: Environment, watched: WatchedValues, clock: Callable[[], float] = time.time
+        self,
+        environment: Environment,
+        watched: WatchedValues,
+        clock: Callable[[], float] = time.time,
+        may: Callable[[Visitor, act.AnyAct], Reason] = refusal,
     ) -> None:
         self._clock = clock
+        self._may = may
         self.denials: list[Callable[[Visitor, act.AnyAct], None]] = []
         """Told of each act that a visitor's role may not do."""
         self._environment = environment
@@ -112,7 +118,7 @@ class Hub:
             reason = Reason.of("desk.no_act", why=Reason.plain(str(error)))
             client.outbox.put(page.encode(page.Refused(page.number_of(body), reason)))
             return
-        why = refusal(client.visitor, ordered.act)
+        why = self._may(client.visitor, ordered.act)
         if why:
             client.outbox.put(page.encode(page.Refused(ordered.cid, why)))
             for denial in self.denials:

@@ -25,8 +25,9 @@ OF_THE_PAGE |= {
     act.LookAtBookings,
     act.LookAtNetwork,
     act.Push,
+    act.SteerReplay,
 }
-"""What a page asks for by itself, as it shows something; of a pad that leads it notes who takes it."""
+"""What a page asks for by itself, as it shows something, or of a replay; of a pad that leads it notes who takes it."""
 UNTOLD = {"token", "secret", "stamp", "user", "to"}
 """A secret, or who somebody is; and by which reading a text is judged, which stands in the record of its line."""
 PLACES = {"doc", "step", "steps", "after", "test", "anchor"}

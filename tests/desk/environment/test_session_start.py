@@ -15,7 +15,7 @@ def test_a_session_begins_with_digests_of_files_and_what_was_not_saved(tmp_path)
     (sitting.home / ".OnikaButtons").write_text("a password")
     facts = SessionStart(sitting.site).facts(sitting.environment.model)
     assert facts["settings"] == asdict(sitting.environment.model.settings)
-    assert list(facts["bases"][0]) == ["module/a.rmod"]
+    assert facts["bases"][0]["name"] == tmp_path.name and list(facts["bases"][0]["files"]) == ["module/a.rmod"]
     assert facts["own"] == {".onika": "VERSION 1\n"}
     assert len(facts["unsaved"]) == 1 and "Untitled-1" in facts["unsaved"][0]
 

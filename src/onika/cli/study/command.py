@@ -4,10 +4,10 @@ import argparse
 from types import ModuleType
 
 from onika.cli.language import say
-from onika.cli.study import design, report
+from onika.cli.study import design, log, replay, report
 from onika.words.reason import Reason
 
-VERBS: dict[str, ModuleType] = {"design": design, "report": report}
+VERBS: dict[str, ModuleType] = {"design": design, "report": report, "log": log, "replay": replay}
 """In the order in which the help shows them."""
 
 

@@ -18,7 +18,7 @@ from onika.desk.environment.application_entry import ApplicationNames
 from onika.desk.environment.diary_entry import DiaryEntry, end_of, entries, is_of_user
 from onika.desk.environment.diary_record import LARGEST, DiaryRecord
 from onika.desk.environment.environment import ActAnswer
-from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.session_start import SessionStart
 from onika.desk.environment.state.model import Model
@@ -40,6 +40,11 @@ LIMIT = 4 * 1024 * 1024
 def note(model: Model, _asked: act.Note, _outside: Services) -> Done:
     """What the page alone knows of is for the diary, and changes nothing."""
     return Done(model)
+
+
+def no_replay(_model: Model, _command: act.SteerReplay, _outside: Services) -> No:
+    """Only where a session is replayed it can be steered."""
+    return No(Reason.of("replay.none_here"))
 
 
 class Diary:

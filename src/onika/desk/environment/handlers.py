@@ -223,6 +223,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.OpenRecording: reviewing.open_recording,
     act.CloseRecording: reviewing.close_recording,
     act.Recordings: recordings.recordings,
+    act.SteerReplay: diary.no_replay,
     act.CompareWith: comparison.compare_with,
     act.ShareRecording: reviewed_file.share,
     act.Glance: snapshot.glance,

@@ -44,8 +44,18 @@ class SessionStart:
             "unsaved": [
                 recovery_record.write(recovery_record.rescue_of(file)) for file in model.open_files if file.is_dirty
             ],
-            "bases": [digests(folder) for folder in folders],
+            "bases": [{"name": self._name_of(folder), "files": digests(folder)} for folder in folders],
+            "own_at": next((number for number, folder in enumerate(folders) if folder == self._own), -1),
         }
+
+    @property
+    def _own(self) -> Path | None:
+        """The base directory of the user's own."""
+        return None if self.site is None else self.site.own
+
+    def _name_of(self, folder: Path) -> str:
+        """What a base directory is called; a home has the name of somebody, which is not told."""
+        return "home" if str(folder) == self.home else folder.name
 
     def _own_files(self) -> Mapping[str, str]:
         """The texts of the user's preferences and of his syntax definition, by name; buttons are not told."""

@@ -41,7 +41,7 @@ _OPERATING: frozenset[type] = frozenset(
         *(act.BookRobot, act.ProlongBooking, act.TakeBackBooking),
         *(act.Run, act.Redirect, act.Seats, act.FindWorlds, act.Steer, act.SkipTo, act.Dismiss, act.PutBack),
         *(act.Preflight, act.ForeseenInstant, act.WhatIf, act.Teach, act.PointAt, act.FitTargets),
-        *(act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith, act.ShareRecording),
+        *(act.SteerReplay, act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith, act.ShareRecording),
     )
 )
 

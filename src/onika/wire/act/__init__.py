@@ -115,6 +115,7 @@ from onika.wire.act.own import (
     Prefer as Prefer,
     Press as Press,
     SetButton as SetButton,
+    SteerReplay as SteerReplay,
 )
 from onika.wire.act.own_copy import (
     BringBack as BringBack,
@@ -300,6 +301,7 @@ AnyAct = (
     | Halt
     | SetButton
     | Note
+    | SteerReplay
     | NewApplication
     | InsertIcon
     | InsertBranch

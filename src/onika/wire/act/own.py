@@ -1,6 +1,6 @@
 """What a user does to what is his own: preferences, buttons, diary."""
 
-from typing import Any
+from typing import Any, Literal
 
 from onika.wire.act.act import Act
 
@@ -29,6 +29,14 @@ class SetButton(Act, frozen=True):
     name: str
     command: str
     spawns_terminal: bool = False
+
+
+class SteerReplay(Act, frozen=True):
+    """Play, pause or step the session that is replayed, or go to its end (H08); where none is, it is refused."""
+
+    wish: Literal["play", "pause", "step", "end"]
+    speed: float = 0.0
+    """Seconds of the session in a second; 0: as before."""
 
 
 class Note(Act, frozen=True):

@@ -60,6 +60,7 @@ from onika.wire.view.remote_library import (
     OfferView as OfferView,
     UsedLibraryView as UsedLibraryView,
 )
+from onika.wire.view.replay import ReplayView as ReplayView
 from onika.wire.view.reply import (
     CandidateView as CandidateView,
     DraftView as DraftView,

@@ -8,6 +8,7 @@ from onika.wire.view.application import ApplicationFile, ApplicationView
 from onika.wire.view.dictionary import DictionaryView, OnikonView, TypeView
 from onika.wire.view.document import DocumentView
 from onika.wire.view.library import LibraryView, TaskView
+from onika.wire.view.replay import ReplayView
 from onika.wire.view.review import KeepingView, ReviewView
 from onika.wire.view.run import RunView
 from onika.wire.view.runtime import RuntimeView
@@ -80,5 +81,7 @@ class Tree(View, frozen=True):
     """Runs that were begun before it and went on beside it, by their numbers."""
     review: ReviewView | None = None
     keeping: KeepingView | None = None
+    replay: ReplayView | None = None
+    """The session that is replayed here; None: what is shown happens now (H08)."""
     people: int = 0
     """How many browsers look at this."""

@@ -80,6 +80,7 @@ class Projector:
             own_redo=model.own.next.label if model.own.next else NOTHING,
             run=model.run.view if model.run is not None else None,
             beside={str(number): run.view for number, run in model.beside.items()},
+            replay=model.replay,
             review=model.review_session.view(model.applications) if model.review_session is not None else None,
             keeping=model.keeping,
             people=model.people,

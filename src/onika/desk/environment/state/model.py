@@ -94,6 +94,8 @@ class Model:
     """The test that is being kept, or was last."""
     measuring: MeasuringSubsystem | None = None
     """What lives for a moment to measure where an arm stands."""
+    replay: view.ReplayView | None = None
+    """The session that is replayed here."""
     performed: int = 0
     """How many runs there were."""
     people: int = 0

@@ -1,0 +1,1 @@
+"""A session is rebuilt from its log (requirement H08, decision 70)."""
