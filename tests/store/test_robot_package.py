@@ -50,3 +50,15 @@ def test_a_repaired_description_stands_beside_its_meshes(tmp_path):  # R-X19
 def test_what_cannot_be_read_is_refused(tmp_path):  # R-X19
     with pytest.raises(ValueError, match=r"."):
         package(written(tmp_path / "plain.xml", "hello"), "crane", tmp_path / "mine")
+
+
+def test_a_mesh_in_collada_comes_as_one_that_is_read(tmp_path, monkeypatch):  # R-X19
+    monkeypatch.setattr("onika.store.collada_mesh.obj_of", lambda _: b"v 0 0 0\n")
+    mesh = (
+        '<robot name="r"><link name="a"><visual><geometry><mesh filename="a.dae"/></geometry></visual></link></robot>'
+    )
+    written(tmp_path / "a.dae", "a mesh")
+    packed = package(written(tmp_path / "r.urdf", mesh), "r", tmp_path / "mine")
+    assert packed.contents["robot/r/a.dae.obj"] == b"v 0 0 0\n"
+    assert b'filename="r/a.dae.obj"' in packed.contents["robot/r.urdf"]
+    assert packed.notes == ()

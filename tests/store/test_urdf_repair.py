@@ -47,3 +47,26 @@ def test_prefixes_and_odd_bytes_are_struck_out(tmp_path):  # R-X19
 def test_what_is_no_robot_is_refused(tmp_path, text):  # R-X19
     with pytest.raises(ValueError, match=r"."):
         repaired(written(tmp_path, text))
+
+
+def test_a_mesh_in_collada_is_converted(tmp_path, monkeypatch):  # R-X19
+    mesh = tmp_path / "m" / "a.dae"
+    mesh.parent.mkdir()
+    mesh.write_bytes(b"a mesh")
+    monkeypatch.setattr("onika.store.collada_mesh.obj_of", lambda content: b"made of " + content)
+    repair = repaired(written(tmp_path, SOUND.replace(".stl", ".dae")))
+    assert (repair.notes, repair.converted) == ((), {mesh.resolve(): b"made of a mesh"})
+    assert repair.meshes == {"package://r/m/a.dae": mesh.resolve()}
+
+
+def test_a_mesh_in_collada_that_cannot_be_read_is_left_out_and_how_it_could_be_is_told(tmp_path, monkeypatch):  # R-X19
+    mesh = tmp_path / "m" / "a.dae"
+    mesh.parent.mkdir()
+    mesh.write_bytes(b"nonsense")
+    path = written(tmp_path, SOUND.replace(".stl", ".dae"))
+    broken = repaired(path)
+    monkeypatch.setattr("onika.store.collada_mesh.can_read", lambda: False)
+    without = repaired(path)
+    assert [note.key for note in (*broken.notes, *without.notes)] == ["store.urdf_collada_unread", "store.urdf_collada"]
+    assert "pip install 'onika[collada]'" in without.notes[0].text
+    assert broken.meshes == without.meshes == {}

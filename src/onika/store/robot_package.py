@@ -59,9 +59,12 @@ def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset())
 def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:
     repair = repaired(path, dropped)
     root = _root(repair.meshes.values())
-    places = {file: f"{name}/{file.relative_to(root).as_posix()}" for file in repair.meshes.values()}
+    places = {file: _place(name, file.relative_to(root), file in repair.converted) for file in repair.meshes.values()}
     text = repair.text({given: places[file] for given, file in repair.meshes.items()})
-    contents = {f"{ROBOTS}/{place}": file.read_bytes() for file, place in places.items()}
+    contents = {
+        f"{ROBOTS}/{place}": repair.converted[file] if file in repair.converted else file.read_bytes()
+        for file, place in places.items()
+    }
     contents[f"{ROBOTS}/{name}{_URDF}"] = text
     with TemporaryDirectory() as folder:
         for place, data in contents.items():
@@ -75,6 +78,11 @@ def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:
     by_place = {Path(place).name: file for file, place in places.items()}
     origins = {one.name: by_place.get(one.path.name, one.path) for one in needed}
     return RobotPackage(made.file, made.contents, made.source, origins, made.notes)
+
+
+def _place(name: str, file: Path, is_converted: bool) -> str:
+    """Where a mesh comes to lie; of one that is converted both endings stay, so that it is not another one's name."""
+    return f"{name}/{file.as_posix()}" + (".obj" if is_converted else "")
 
 
 def _packaged(

@@ -10,13 +10,16 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
+from onika.store import collada_mesh
 from onika.store.urdf_inertia import possible_inertia
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
+from onika.words.system_error import system_reason
 
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _SCHEME = re.compile(r"(package|model|file):/*")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _READ = (".stl", ".obj")
+_COLLADA = ".dae"
 _SHAPES = ("box", "cylinder", "sphere", "capsule")
 _ROWS = ("xyz", "rpy", "size")
 _ONCE = ("axis", "limit", "dynamics", "mimic", "origin", "parent", "child")
@@ -34,11 +37,15 @@ _COMPILER = {
 
 @dataclass(frozen=True, slots=True)
 class UrdfRepair:
-    """A repaired description: its meshes by the names that it gives them, and what was repaired."""
+    """A repaired description: its meshes by the names that it gives them, and what was repaired.
+
+    converted   meshes in COLLADA, as OBJ
+    """
 
     root: Element
     meshes: Mapping[str, Path]
     notes: tuple[Reason, ...]
+    converted: Mapping[Path, bytes]
 
     def text(self, names: Mapping[str, str]) -> bytes:
         """The document with other names for its meshes."""
@@ -60,12 +67,12 @@ def repaired(path: Path, dropped: Set[Path] = frozenset()) -> UrdfRepair:
         notes += _repair_rows(named)
     moving = {child.get("link") for joint in root.findall("joint") if joint.get("type") != "fixed"
               for child in joint.findall("child")}  # fmt: skip
-    meshes: dict[str, Path] = {}
+    meshes = _Meshes(path, dropped)
     for link in root.findall("link"):
-        notes += _repair_shapes(link, path, dropped, meshes)
+        notes += _repair_shapes(link, meshes)
         notes += _repair_inertia(link, is_moving=link.get("name") in moving)
     ElementTree.SubElement(ElementTree.SubElement(root, "mujoco"), "compiler", _COMPILER)
-    return UrdfRepair(root, meshes, tuple(dict.fromkeys(notes)))
+    return UrdfRepair(root, meshes.found, tuple(dict.fromkeys(notes)), meshes.converted)
 
 
 def _document(path: Path, text: str, notes: list[Reason]) -> Element:
@@ -135,10 +142,10 @@ def _repair_rows(named: Element) -> Iterator[Reason]:
             element.set(key, " ".join([*numbers, "0", "0", "0"][:3]))
 
 
-def _repair_shapes(link: Element, path: Path, dropped: Set[Path], meshes: dict[str, Path]) -> Iterator[Reason]:
+def _repair_shapes(link: Element, meshes: "_Meshes") -> Iterator[Reason]:
     for shape in [*link.findall("visual"), *link.findall("collision")]:
         mesh = shape.find("geometry/mesh")
-        reason = _mesh_lacks(mesh, path, dropped, meshes) if mesh is not None else _shape_lacks(shape, link)
+        reason = meshes.lacks(mesh) if mesh is not None else _shape_lacks(shape, link)
         if reason is not None:
             link.remove(shape)
             yield reason
@@ -153,18 +160,41 @@ def _shape_lacks(shape: Element, link: Element) -> Reason | None:
     return None if is_sound else Reason.of("store.urdf_no_shape", link=link.get("name", ""))
 
 
-def _mesh_lacks(mesh: Element, path: Path, dropped: Set[Path], meshes: dict[str, Path]) -> Reason | None:
-    """Why a mesh cannot be used; None: it can, and is among the meshes."""
-    name = mesh.get("filename", "")
-    file = _file(name, path.resolve().parent)
-    if file is None:
-        return Reason.of("store.urdf_no_mesh", file=name)
-    if file.suffix.lower() not in _READ:
-        return Reason.of("store.urdf_no_reader", file=name)
-    if file in dropped:
-        return Reason.of("store.urdf_unusable", file=name)
-    meshes[name] = file
-    return None
+class _Meshes:
+    """The meshes of a description that can be used, by the names that it gives them, without those `dropped`."""
+
+    def __init__(self, path: Path, dropped: Set[Path]) -> None:
+        self._folder, self._dropped = path.resolve().parent, dropped
+        self.found: dict[str, Path] = {}
+        self.converted: dict[Path, bytes] = {}
+
+    def lacks(self, mesh: Element) -> Reason | None:
+        """Why a mesh cannot be used; None: it can, and is among the meshes."""
+        name = mesh.get("filename", "")
+        file = _file(name, self._folder)
+        if file is None:
+            return Reason.of("store.urdf_no_mesh", file=name)
+        if file in self._dropped:
+            return Reason.of("store.urdf_unusable", file=name)
+        unread = self._unread(name, file)
+        if unread is None:
+            self.found[name] = file
+        return unread
+
+    def _unread(self, name: str, file: Path) -> Reason | None:
+        """Why a mesh cannot be read; None: it can, one in COLLADA converted."""
+        if file.suffix.lower() in _READ or file in self.converted:
+            return None
+        if file.suffix.lower() != _COLLADA:
+            return Reason.of("store.urdf_no_reader", file=name)
+        if not collada_mesh.can_read():
+            return Reason.of("store.urdf_collada", file=name, extra=collada_mesh.EXTRA)
+        try:
+            self.converted[file] = collada_mesh.obj_of(file.read_bytes())
+        except (OSError, ValueError) as wrong:
+            why = system_reason(wrong) if isinstance(wrong, OSError) else reason_of(wrong)
+            return Reason.of("store.urdf_collada_unread", file=name, why=why)
+        return None
 
 
 def _file(name: str, folder: Path) -> Path | None:
