@@ -1,6 +1,7 @@
 """The web application: the page, its files, and one WebSocket for each browser."""
 
 import asyncio
+from collections.abc import Sequence
 from pathlib import Path
 from time import monotonic
 
@@ -32,8 +33,17 @@ PLAYER = STATIC / "player"
 _NOT_ALLOWED = 1008
 
 
-def application(entrance: Entrance, hub: Hub, static: Path = STATIC, meshes: MeshFolder | None = None) -> Starlette:
-    """The application; nothing but a refusal is told to whoever was not let in. Worlds are drawn of `meshes`."""
+def application(
+    entrance: Entrance,
+    hub: Hub,
+    static: Path = STATIC,
+    meshes: MeshFolder | None = None,
+    ways: Sequence[Route] = (),
+) -> Starlette:
+    """The application; nothing but a refusal is told to whoever was not let in. Worlds are drawn of `meshes`.
+
+    ways    what else its door has
+    """
 
     async def page(request: Request) -> Response:
         if not entrance.is_ours(request.headers):
@@ -43,7 +53,7 @@ def application(entrance: Entrance, hub: Hub, static: Path = STATIC, meshes: Mes
         if entrance.visitor(request.cookies) is None:
             if isinstance(entrance, SignIn):
                 return asked(request)
-            return refused(request, Reason.of("desk.page_without_key"), 403)
+            return refused(request, entrance.closed, 403)
         index = static / "index.html"
         if index.is_file():
             return FileResponse(index)
@@ -58,7 +68,7 @@ def application(entrance: Entrance, hub: Hub, static: Path = STATIC, meshes: Mes
         await _converse(socket, hub, visitor)
 
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
-    routes.append(mesh_route(entrance, meshes))
+    routes += [mesh_route(entrance, meshes), *ways]
     if isinstance(entrance, SignIn):
         routes += sign_in_routes(entrance, hub.end)
     if (static / "assets").is_dir():

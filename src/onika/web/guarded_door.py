@@ -27,6 +27,8 @@ TRAIL = "page.log"
 class GuardedDoor:
     """Lets in the users of a place; raises OSError where nothing can be written down of what they do."""
 
+    ways = ()
+
     def __init__(
         self,
         place: PagePlace,

@@ -17,7 +17,7 @@ from onika.web.access.act_rights import refusal
 from onika.web.access.entrance import OWNER, Visitor
 from onika.web.outbox import Outbox
 from onika.wire import act, page
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _REMEMBERED = 200
 """Lines of the log that a browser is told when it comes."""
@@ -64,6 +64,8 @@ class Hub:
         self._may = may
         self.denials: list[Callable[[Visitor, act.AnyAct], None]] = []
         """Told of each act that a visitor's role may not do."""
+        self.limits: list[Callable[[Visitor, act.AnyAct], Reason]] = []
+        """Say why a visitor may not do an act although his role may; empty: he may."""
         self._environment = environment
         self._watched = watched
         self._clients: list[BrowserClient] = []
@@ -80,6 +82,11 @@ class Hub:
     def sessions(self) -> frozenset[str]:
         """The sessions of those who are here."""
         return frozenset(client.visitor.session for client in self._clients)
+
+    @property
+    def visitors(self) -> tuple[Visitor, ...]:
+        """Those who are here, once for each page."""
+        return tuple(client.visitor for client in self._clients)
 
     def come(self, visitor: Visitor = OWNER) -> BrowserClient:
         """A browser comes in; the first it is sent is a snapshot."""
@@ -118,7 +125,7 @@ class Hub:
             reason = Reason.of("desk.no_act", why=Reason.plain(str(error)))
             client.outbox.put(page.encode(page.Refused(page.number_of(body), reason)))
             return
-        why = self._may(client.visitor, ordered.act)
+        why = self._may(client.visitor, ordered.act) or self._limited(client.visitor, ordered.act)
         if why:
             client.outbox.put(page.encode(page.Refused(ordered.cid, why)))
             for denial in self.denials:
@@ -173,6 +180,9 @@ class Hub:
             else page.Refused(cid, no.reason, no.remedies, dict(no.fields))
         )
         client.outbox.put(page.encode(message))
+
+    def _limited(self, visitor: Visitor, command: act.AnyAct) -> Reason:
+        return next(filter(None, (limit(visitor, command) for limit in self.limits)), NOTHING)
 
     def _snapshot(self, client: BrowserClient) -> bytes:
         environment, visitor = self._environment, client.visitor

@@ -5,6 +5,7 @@ import secrets
 from collections.abc import Callable, Mapping
 
 from onika.web.access.entrance import OWNER, Visitor
+from onika.words.reason import Reason
 
 
 class Login:
@@ -13,6 +14,8 @@ class Login:
     addresses   as in `127.0.0.1:8420`: what a browser must have in its `Host`
     on_key      told of each new key
     """
+
+    closed = Reason.of("desk.page_without_key")
 
     def __init__(self, addresses: tuple[str, ...], on_key: Callable[[str], None] = lambda _key: None) -> None:
         self._addresses = frozenset(addresses)

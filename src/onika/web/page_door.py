@@ -3,8 +3,10 @@
 import asyncio
 import socket
 import ssl
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol
+
+from starlette.routing import Route
 
 from onika.web.access.entrance import Entrance
 from onika.web.login import Login
@@ -24,6 +26,11 @@ class PageDoor(Protocol):
         """The server's side of TLS; None: there is none."""
         ...
 
+    @property
+    def ways(self) -> Sequence[Route]:
+        """What else may be asked of it, beside the page."""
+        ...
+
     def ready(self) -> None:
         """It is open."""
         ...
@@ -41,6 +48,7 @@ class KeyDoor:
     """The door for this machine: `on_ready` is told each address that lets one browser in."""
 
     context = None
+    ways = ()
 
     def __init__(self, listening: socket.socket, on_ready: Callable[[str], None]) -> None:
         self._address, self._on_ready = addresses(listening)[0], on_ready

@@ -60,6 +60,11 @@ _STALE_S = 1.0
 _NAME = "Onika"
 
 
+DoorOpening = Callable[[Environment, Hub], PageDoor]
+"""Makes the door of an environment's page."""
+_AS_WALL_TIME = ("--scale", "1")
+
+
 @dataclass(frozen=True, slots=True)
 class EnvironmentOptions:
     """How an environment is to begin.
@@ -68,6 +73,7 @@ class EnvironmentOptions:
     url, token      a runtime that runs already; empty: one of its own
     stations        further runtimes, each with its name, address and token
     is_connected    whether what is opened is connected at once
+    is_virtual      whether runtimes that are started here are simulators, whose time passes as on the wall
     is_upper_only   whether the lower level is hidden in this session, whatever is preferred (G05)
     """
 
@@ -79,6 +85,7 @@ class EnvironmentOptions:
     rtpus: tuple[str, ...] = ("rt0",)
     with_fifo: bool = True
     has_black_box: bool = True
+    is_virtual: bool = False
     has_diary: bool = True
     foresees: bool = True
     """Whether what open applications would come to is foreseen while they are edited (E16)."""
@@ -95,9 +102,16 @@ class EnvironmentProgram:
         self._state = state
 
     async def run(
-        self, listening: socket.socket, on_ready: Callable[[str], None], place: PagePlace | None = None
+        self,
+        listening: socket.socket,
+        on_ready: Callable[[str], None],
+        place: PagePlace | None = None,
+        opens: DoorOpening | None = None,
     ) -> None:
-        """Until Ctrl-C; `on_ready` is told each address that lets one browser in, or that of `place`."""
+        """Until Ctrl-C; `on_ready` is told each address that lets one browser in, or that of `place`.
+
+        opens   makes another door in place of these
+        """
         loop = asyncio.get_running_loop()
 
         def post(do: Callable[[], None]) -> None:
@@ -126,7 +140,11 @@ class EnvironmentProgram:
             network=network,
         )
         launching = RuntimeLauncher(
-            self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
+            self._options.rtpus,
+            is_virtual=self._options.is_virtual,
+            with_fifo=self._options.with_fifo,
+            options=_AS_WALL_TIME if self._options.is_virtual else (),
+            has_black_box=self._options.has_black_box,
         )
         stations = Stations(launching, post, time.monotonic)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
@@ -134,9 +152,7 @@ class EnvironmentProgram:
         environment = Environment(model, HANDLERS, surroundings, WorldChannel(stations, self._site))
         hub = Hub(environment, stations)
         hub.remember(says)
-        door: PageDoor = KeyDoor(listening, on_ready)
-        if place is not None:
-            door = GuardedDoor(place, listening, on_ready, environment, hub)
+        door = (opens or _opening(listening, on_ready, place))(environment, hub)
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
         diary = self._diary(environment)
@@ -150,7 +166,7 @@ class EnvironmentProgram:
             door.keep(),
         )
         try:
-            app = application(door.entrance, hub, meshes=MeshFolder(self._state))
+            app = application(door.entrance, hub, meshes=MeshFolder(self._state), ways=door.ways)
             await serve(app, listening, beside, door.ready, door.context)
         finally:
             listening.close()
@@ -159,11 +175,8 @@ class EnvironmentProgram:
                 forecaster.close()
             stations.end()
             commands.close()
-            reading.close()
-            comparing.close()
-            keeping.close()
-            meshing.close()
-            network.worker.close()
+            for worker in (reading, comparing, keeping, meshing, network.worker):
+                worker.close()
             if remote is not None:
                 remote.close()
             if diary is not None:
@@ -282,3 +295,10 @@ class EnvironmentProgram:
                 is_reported = True
                 environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=why)))
             await asyncio.sleep(_KEEP_S)
+
+
+def _opening(listening: socket.socket, on_ready: Callable[[str], None], place: PagePlace | None) -> DoorOpening:
+    """The door for this machine, or that of a place."""
+    if place is None:
+        return lambda _environment, _hub: KeyDoor(listening, on_ready)
+    return lambda environment, hub: GuardedDoor(place, listening, on_ready, environment, hub)

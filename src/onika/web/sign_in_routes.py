@@ -8,8 +8,9 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 from starlette.routing import Route
 
+from onika.web.access.form_page import POLICY
 from onika.web.access.sign_in import SignIn
-from onika.web.access.sign_in_page import POLICY, sign_in_page
+from onika.web.access.sign_in_page import sign_in_page
 from onika.web.refused_request import language_of, refused
 from onika.words.reason import NOTHING, Reason
 

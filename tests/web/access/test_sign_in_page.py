@@ -2,7 +2,8 @@ import re
 
 import pytest
 
-from onika.web.access.sign_in_page import POLICY, sign_in_page
+from onika.web.access.form_page import POLICY
+from onika.web.access.sign_in_page import sign_in_page
 from onika.words.reason import Reason
 
 

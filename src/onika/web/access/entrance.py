@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from onika.link.caller import Role
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +29,11 @@ OWNER = Visitor("", Role.OWNER)
 
 class Entrance(Protocol):
     """Whatever lets browsers in: the key of this machine, or names and passwords."""
+
+    @property
+    def closed(self) -> Reason:
+        """What is said to whoever was not let in."""
+        ...
 
     def is_ours(self, headers: Mapping[str, str]) -> bool:
         """Whether a request names us as its host: a foreign name that leads here does not (DNS rebinding)."""

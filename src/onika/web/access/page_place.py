@@ -50,7 +50,7 @@ class PagePlace:
 
 
 def judged(
-    wanted: PageOptions, port: int, environment: Mapping[str, str] = os.environ
+    wanted: PageOptions, port: int, environment: Mapping[str, str] = os.environ, *, needs_users: bool = True
 ) -> tuple[PagePlace | None, list[Fault]]:
     """The place to listen, or all that is missing for it; `port` where none is named."""
     try:
@@ -59,7 +59,7 @@ def judged(
         return None, [Fault(Place("--listen"), Reason.of("desk.listen_form", listen=wanted.listen), _CLOSED)]
     users = Path(wanted.users) if wanted.users else users_path(environment)
     context, faults = _context(wanted)
-    faults += _users(users) + _rights(users, wanted.key)
+    faults += (_users(users) if needs_users else []) + _rights(users, wanted.key)
     if faults or context is None:
         return None, faults
     own = () if host in _ANY else (host,)

@@ -30,6 +30,8 @@ class SignIn:
     clock   ns that never go back
     """
 
+    closed = Reason.of("desk.page_without_key")
+
     def __init__(
         self,
         names: Iterable[str],
