@@ -38,6 +38,7 @@ SOURCES = (
     "tsconfig.json",
     "vite.config.ts",
     "vite.player.config.ts",
+    "vite.board.config.ts",
 )
 """What the page is built from, below browser/."""
 

@@ -8,9 +8,9 @@ from types import ModuleType
 
 from msgspec import NODEFAULT, Struct, inspect
 
-from onika.wire import act, page, view
+from onika.wire import act, class_board, page, view
 
-_HEAD = "// Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.\n"
+_HEAD = "// Drawn from src/onika/wire/{act,view,page,class_board}.py by tools/generate.py: change those.\n"
 _IMPORTS = "import type { Reason } from './texts/say';\n"
 _UNIONS = {"AnyAct": act.AnyAct, "AnyMessage": page.AnyMessage, "AnyShow": view.AnyShow}
 _BASES = (act.Act, view.View, view.Destination, page.Message)
@@ -18,7 +18,7 @@ _BASES = (act.Act, view.View, view.Destination, page.Message)
 
 def source() -> str:
     """The whole file."""
-    structs = [one for module in (act, view, page) for one in _structs(module)]
+    structs = [one for module in (act, view, page, class_board) for one in _structs(module)]
     unions = [f"export type {name} = {_union(kinds)};" for name, kinds in _UNIONS.items()]
     return "\n".join((_HEAD, _IMPORTS, *map(_interface, structs), *unions)) + "\n"
 

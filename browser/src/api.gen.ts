@@ -1,4 +1,4 @@
-// Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.
+// Drawn from src/onika/wire/{act,view,page,class_board}.py by tools/generate.py: change those.
 
 import type { Reason } from './texts/say';
 
@@ -1338,6 +1338,17 @@ export interface SlotEndView {
   at_s: number;
 }
 
+/** A seat, and whose it is. */
+export interface ClassSeatView {
+  number: number;
+  learner: string;
+  state?: 'frozen' | 'taken' | 'works';
+  note?: string;
+  note_number?: number;
+  handed_in?: number;
+  grade?: [number, number] | null;
+}
+
 /** An open dictionary. */
 export interface DictionaryView {
   name: string;
@@ -2261,6 +2272,7 @@ export interface Tree {
   keeping?: KeepingView | null;
   replay?: ReplayView | null;
   people?: number;
+  class_seat?: ClassSeatView | null;
 }
 
 /** What can be done with a run that stands still. */
@@ -2350,6 +2362,57 @@ export interface Say {
 /** What is left of an act that cannot be read: the number by which it is answered. */
 export interface Numbered {
   cid: number;
+}
+
+/** Something that was expected of a hand-in, whether it holds, and why not. */
+export interface ExpectationRow {
+  text: string;
+  holds: boolean;
+  why: Reason;
+}
+
+/** A seat; ages in seconds, memory in bytes. */
+export interface SeatRow {
+  seat: number;
+  learner: string;
+  state: 'frozen' | 'taken' | 'works';
+  process: 'off' | 'silent' | 'starting' | 'there';
+  pages: number;
+  program: string;
+  icons: number;
+  steps: number;
+  idle_s: number;
+  is_stuck: boolean;
+  run: string;
+  done: number;
+  of: number;
+  why: Reason;
+  refusal: Reason;
+  refusal_s: number;
+  ended: Reason;
+  note: string;
+  handed_in: number;
+  expectations: (ExpectationRow)[];
+  grade_why: Reason;
+  may_return: boolean;
+  bytes: number;
+  processes: number;
+}
+
+/** The whole class. */
+export interface ClassBoard {
+  code: string;
+  address: string;
+  seats: number;
+  rows: (SeatRow)[];
+  trouble: Reason;
+}
+
+/** What the board asks for: of which seats, and with which words. */
+export interface TeacherAct {
+  act: 'collect' | 'freeze' | 'release' | 'restart' | 'return' | 'take' | 'tell';
+  seats: (number)[];
+  text: string;
 }
 
 export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;

@@ -5,7 +5,7 @@ import { expect, test } from 'vitest'
 
 /** From the top to the ground; rooms on one floor do not know each other. Files of no room stand in `TOP` and `GROUND`. */
 const FLOORS: readonly (readonly string[])[] = [
-  ['player'],
+  ['player', 'board'],
   ['commands'],
   ['shell'],
   ['review', 'dictionary', 'stop'],

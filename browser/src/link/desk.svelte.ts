@@ -42,6 +42,7 @@ export function fullTree(tree: Tree): FullTree {
     review: null,
     keeping: null,
     replay: null,
+    class_seat: null,
   }
   return withParts({ ...empty, ...tree })
 }

@@ -22,7 +22,7 @@ from onika.words.system_error import system_reason_with_place
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
-KEEPING = frozenset(("page", "run", "share", "test", "sweep", "runtime", "site", "console", "user"))
+KEEPING = frozenset(("page", "run", "share", "test", "sweep", "runtime", "site", "class", "console", "user"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
 COMMANDS = (
@@ -32,6 +32,7 @@ COMMANDS = (
     "sweep",
     "runtime",
     "site",
+    "class",
     "recording",
     "share",
     "report",
@@ -49,6 +50,9 @@ COMMANDS = (
     "doctor",
 )
 """In the order in which the help shows them; each is a file beside this one."""
+
+FILES = {"class": "classroom"}
+"""Of a command whose name is a word of Python."""
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -129,7 +133,7 @@ def _parse(words: list[str]) -> argparse.Namespace:
 
 
 def _command(name: str) -> ModuleType:
-    return import_module(f"onika.cli.{name}")
+    return import_module(f"onika.cli.{FILES.get(name, name)}")
 
 
 def _parser(names: Iterable[str]) -> argparse.ArgumentParser:

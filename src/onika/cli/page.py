@@ -95,7 +95,7 @@ def carry_out(given: argparse.Namespace) -> int:
         is_upper_only=given.upper,
     )
     program = EnvironmentProgram(site_here(given.base), options, state_directory(os.environ))
-    shows = not given.no_browser and _has_screen()
+    shows = not given.no_browser and has_screen()
     answers: list[str] = []
 
     def tell(address: str) -> None:
@@ -160,7 +160,8 @@ def token_file(text: str) -> tuple[str, str]:
         raise argparse.ArgumentTypeError(say(Reason.of("cli.token_expected", reason=reason_of(wrong)))) from None
 
 
-def _has_screen() -> bool:
+def has_screen() -> bool:
+    """Whether there is a screen on which a browser could be opened."""
     return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 

@@ -108,10 +108,7 @@ class EnvironmentProgram:
         place: PagePlace | None = None,
         opens: DoorOpening | None = None,
     ) -> None:
-        """Until Ctrl-C; `on_ready` is told each address that lets one browser in, or that of `place`.
-
-        opens   makes another door in place of these
-        """
+        """Until Ctrl-C; `on_ready` is told each address that lets one browser in; `opens` makes another door."""
         loop = asyncio.get_running_loop()
 
         def post(do: Callable[[], None]) -> None:

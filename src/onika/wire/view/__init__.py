@@ -18,6 +18,7 @@ from onika.wire.view.booking import (
     BookView as BookView,
     SlotEndView as SlotEndView,
 )
+from onika.wire.view.class_seat import ClassSeatView as ClassSeatView, SeatState as SeatState
 from onika.wire.view.dictionary import (
     DictionaryView as DictionaryView,
     ItemView as ItemView,

@@ -5,6 +5,7 @@ from typing import Any
 from msgspec import field
 
 from onika.wire.view.application import ApplicationFile, ApplicationView
+from onika.wire.view.class_seat import ClassSeatView
 from onika.wire.view.dictionary import DictionaryView, OnikonView, TypeView
 from onika.wire.view.document import DocumentView
 from onika.wire.view.library import LibraryView, TaskView
@@ -85,3 +86,5 @@ class Tree(View, frozen=True):
     """The session that is replayed here; None: what is shown happens now (H08)."""
     people: int = 0
     """How many browsers look at this."""
+    class_seat: ClassSeatView | None = None
+    """The seat of a class that this is (X25)."""

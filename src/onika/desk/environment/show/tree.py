@@ -84,6 +84,7 @@ class Projector:
             review=model.review_session.view(model.applications) if model.review_session is not None else None,
             keeping=model.keeping,
             people=model.people,
+            class_seat=model.class_seat,
         )
 
     def _loads(self, model: Model) -> dict[str, float]:

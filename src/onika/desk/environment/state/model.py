@@ -99,6 +99,8 @@ class Model:
     performed: int = 0
     """How many runs there were."""
     people: int = 0
+    class_seat: view.ClassSeatView | None = None
+    """The seat of a class that this is (X25)."""
 
     def at(self, station: str) -> "Model":
         """The same with another station in focus; of one that is not known nothing is kept."""

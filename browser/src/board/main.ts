@@ -1,0 +1,8 @@
+// The board of a class begins here.
+import { mount } from 'svelte'
+import '../theme.css'
+import Board from './Board.svelte'
+
+const target = document.getElementById('app')
+if (!target) throw new Error('the page has no element #app')
+mount(Board, { target })
