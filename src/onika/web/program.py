@@ -174,10 +174,8 @@ class EnvironmentProgram:
             commands.close()
             for worker in (reading, comparing, keeping, meshing, network.worker):
                 worker.close()
-            if remote is not None:
-                remote.close()
-            if diary is not None:
-                diary.close()
+            for each in filter(None, (remote, diary)):
+                each.close()
             self._leave(environment, surroundings, kept, autosave)
 
     def _remote(self, worker: BackgroundWorker) -> LibraryServices | None:
