@@ -62,7 +62,6 @@ _NAME = "Onika"
 
 DoorOpening = Callable[[Environment, Hub], PageDoor]
 """Makes the door of an environment's page."""
-_AS_WALL_TIME = ("--scale", "1")
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +139,7 @@ class EnvironmentProgram:
             self._options.rtpus,
             is_virtual=self._options.is_virtual,
             with_fifo=self._options.with_fifo,
-            options=_AS_WALL_TIME if self._options.is_virtual else (),
+            options=("--scale", "1") if self._options.is_virtual else (),
             has_black_box=self._options.has_black_box,
         )
         stations = Stations(launching, post, time.monotonic)
@@ -174,8 +173,10 @@ class EnvironmentProgram:
             commands.close()
             for worker in (reading, comparing, keeping, meshing, network.worker):
                 worker.close()
-            for each in filter(None, (remote, diary)):
-                each.close()
+            if remote is not None:
+                remote.close()
+            if diary is not None:
+                diary.close()
             self._leave(environment, surroundings, kept, autosave)
 
     def _remote(self, worker: BackgroundWorker) -> LibraryServices | None:
