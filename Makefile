@@ -17,7 +17,7 @@ unexport PYTHONDONTWRITEBYTECODE
 export OPENBLAS_NUM_THREADS := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page test tests check audit mutants fuzz soak bench bench-peers clean
+.PHONY: help demo assemble page test tests check audit mutants fuzz soak bench bench-check bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -44,6 +44,7 @@ check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file
 	  '$(BIN)/python tools/requirements.py --check' \
 	  '$(BIN)/python tools/generate.py --check' \
 	  '$(BIN)/python tools/licences.py --check' \
+	  '$(BIN)/python tools/bench/check.py' \
 	  --behind '$(BIN)/python hatch_build.py check test'
 
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
@@ -83,6 +84,9 @@ soak: $(VENV)/.installed-dev ## the long tests, and every property on new exampl
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
 	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done
 	@PYTHONPATH=tools/bench:tests $(BIN)/python -m beside --alone
+
+bench-check: $(PEERS)/.installed ## compare what is counted and the ratios to the peers with what was kept last
+	PYTHONPATH=tools/bench:tests $(PEERS)/bin/python tools/bench/check.py --ratios
 
 bench-peers: $(PEERS)/.installed ## measure beside the peers, and write docs/benchmarks.md
 	PYTHONPATH=tools/bench:tests $(PEERS)/bin/python -m beside --write docs/benchmarks.md

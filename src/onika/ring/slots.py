@@ -8,6 +8,7 @@ processors would need a fence (law 31).
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import NamedTuple
 from zlib import crc32
 
@@ -60,7 +61,7 @@ class Ring:
         self.words = view[offset + _WORD : offset + LINE].cast("Q")
         first = offset + LINE
         self._memory = view[first : first + count * stride]
-        self.slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(count))
+        self.slots = tuple(map(self._memory.__getitem__, _places(size)))
         """Where the values lie; that of a count lies in the slot `count & last`."""
         self.last = count - 1
 
@@ -283,6 +284,13 @@ def last_of(size: int) -> int:
 
 def _slots(size: int) -> int:
     return _SLOTS if size <= LONGEST_SEALED else _LONG_SLOTS
+
+
+@lru_cache
+def _places(size: int) -> tuple[slice, ...]:
+    """Where the slots lie, from the first one on."""
+    stride = _stride(size)
+    return tuple(slice(first, first + size) for first in range(0, _slots(size) * stride, stride))
 
 
 def _stride(size: int) -> int:
