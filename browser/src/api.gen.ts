@@ -2079,6 +2079,7 @@ export interface RuntimeView {
   is_cut?: boolean;
   round_trip_ms?: number;
   book?: BookView | null;
+  libraries?: (string)[];
   slot_ends?: SlotEndView | null;
   clock_set_s?: number;
 }

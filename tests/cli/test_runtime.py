@@ -63,8 +63,9 @@ def test_every_option_reaches_the_runtime_or_the_console(sits, tmp_path):  # R-A
 
 
 def test_the_network_channel_is_opened_at_the_start(sits):  # R-A16
-    assert main(["runtime", "--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code"]) == 0
-    assert Launched.seen[0][3] == ("--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code")
+    words = ["--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--library", "https://x/arm", "--accept-code"]
+    assert main(["runtime", *words]) == 0
+    assert Launched.seen[0][3] == tuple(words)
 
 
 def test_how_long_a_holder_may_be_silent_and_where_all_is_written_down_is_said_to_the_runtime(sits):  # R-X12

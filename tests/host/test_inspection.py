@@ -51,6 +51,11 @@ def test_what_there_is_is_told_whole(hand):  # R-C12
     assert wanted == {"source": ("ON", True, 100.0), "user": ("OFF", False, 100.0), "counter": ("ON", True, 50.0)}
 
 
+def test_it_names_the_libraries_that_it_supplies(hand):  # R-C19
+    hand.asker.server.libraries = ("https://robots.example/arm",)
+    assert hand.asker.ask(live.Survey()).libraries == ("https://robots.example/arm",)
+
+
 def test_a_lost_unit_is_told_as_lost(hand):  # R-E10
     hand.driver.lose("rt1")
     assert [unit.is_lost for unit in hand.asker.ask(live.Survey()).rtpus] == [False, True]

@@ -1,5 +1,6 @@
 // Other sites, as they are looked through: by what is wanted of them, and by words.
-import type { NetworkSiteView } from '../api.gen'
+import type { NetworkSiteView, UsedLibraryView } from '../api.gen'
+import type { Station } from '../link/stations'
 
 export type Wanted = 'runtime' | 'library'
 
@@ -8,6 +9,16 @@ export const offersOf = (site: NetworkSiteView, wanted: Wanted): { address: stri
   wanted === 'library'
     ? (site.libraries ?? []).map((address) => ({ address, about: '' }))
     : (site.runtimes ?? []).map(({ address, robots }) => ({ address, about: (robots ?? []).join(', ') }))
+
+/** The addresses of libraries that connected runtimes supply and that are not used yet, each with the first station. */
+export function suppliedIn(stations: readonly Station[], used: readonly UsedLibraryView[]): [string, string][] {
+  const known = new Set(used.map(({ address }) => address))
+  const supplied = new Map<string, string>()
+  for (const [station, runtime] of stations)
+    for (const address of runtime.libraries ?? [])
+      if (!known.has(address) && !supplied.has(address)) supplied.set(address, station)
+  return [...supplied]
+}
 
 /** The sites that have all of the words, and something of what is wanted. */
 export function sitesWith(sites: readonly NetworkSiteView[], wanted: Wanted, text: string): NetworkSiteView[] {

@@ -421,6 +421,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.runtime_hand_over": "lo que inicia ssh: escuchar solo en esta máquina, decir cómo en una línea de la salida, y terminar con la entrada",
   "cli.runtime_key": "la clave del certificado",
   "cli.runtime_lease": "tras cuánto silencio quien tiene el mando deja de tenerlo (según lo permita la conexión, de 0.25 a 1.0)",
+  "cli.runtime_library": "una biblioteca ajena que ofrece la página de quien esté conectado (se puede repetir)",
   "cli.runtime_listen": "deja que otros se conecten; en esta máquina con un token",
   "cli.runtime_local": "un directorio base donde buscar primero; puede darse varias veces",
   "cli.runtime_name": "otro nombre de esta máquina",

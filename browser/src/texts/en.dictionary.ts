@@ -143,6 +143,7 @@ export const enDictionary = {
   'iconify.saved': 'The icon {name} is in the dictionary.',
   'remote.menu': 'Libraries of others…',
   'remote.title': 'Libraries of others',
+  'remote.supplied': 'Supplied by the runtimes you are connected with',
   'remote.used': 'Libraries that are used',
   'remote.about':
     'What other laboratories publish can be used like files of your own. Give the address that they told you.',

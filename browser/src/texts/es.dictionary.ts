@@ -146,6 +146,7 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'iconify.saved': 'El icono {name} está en el diccionario.',
   'remote.menu': 'Bibliotecas ajenas…',
   'remote.title': 'Bibliotecas ajenas',
+  'remote.supplied': 'De los runtimes con los que tienes conexión',
   'remote.used': 'Bibliotecas que se usan',
   'remote.about':
     'Lo que publican otros laboratorios se puede usar como archivos propios. Escriba la dirección que le dieron.',

@@ -1,7 +1,7 @@
 // Other sites, as a dialog looks through them.
 import { describe, expect, it } from 'vitest'
-import type { NetworkSiteView } from '../../src/api.gen'
-import { isTrustable, isUsable, offersOf, sitesWith } from '../../src/library/network'
+import type { NetworkSiteView, RuntimeView, UsedLibraryView } from '../../src/api.gen'
+import { isTrustable, isUsable, offersOf, sitesWith, suppliedIn } from '../../src/library/network'
 
 const site = (name: string, more: Partial<NetworkSiteView> = {}): NetworkSiteView => ({
   name,
@@ -31,6 +31,23 @@ describe('sites', () => {
       'new',
       'namesake',
       'other_key',
+    ])
+  })
+})
+
+describe('libraries that connected runtimes supply', () => {
+  const runtime = (...libraries: string[]): RuntimeView => ({ libraries }) as RuntimeView
+  const used = [{ name: 'x', address: 'https://used' }] as unknown as UsedLibraryView[]
+
+  it('are those that are not used yet, each once, with the first runtime that names it', () => {
+    const stations: [string, RuntimeView][] = [
+      ['', runtime('https://a', 'https://used')],
+      ['cmu', runtime('https://b', 'https://a')],
+      ['sandia', {} as RuntimeView],
+    ]
+    expect(suppliedIn(stations, used)).toEqual([
+      ['https://a', ''],
+      ['https://b', 'cmu'],
     ])
   })
 })

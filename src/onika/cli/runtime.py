@@ -41,6 +41,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--users", metavar="FILE", help=say(Reason.of("cli.runtime_users")))
     parser.add_argument("--name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name")))
     parser.add_argument("--accept-code", action="store_true", help=say(Reason.of("cli.runtime_accept_code")))
+    parser.add_argument(
+        "--library", action="append", default=[], metavar="ADDRESS", help=say(Reason.of("cli.runtime_library"))
+    )
     parser.add_argument("--audit", metavar="FILE", help=say(Reason.of("cli.runtime_audit")))
     parser.add_argument("--lease", type=lease, metavar="SECONDS", help=say(Reason.of("cli.runtime_lease")))
     parser.add_argument("--robot", metavar="NAME", help=say(Reason.of("cli.runtime_robot")))
@@ -122,6 +125,7 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
     named = {"--cert": given.cert, "--key": given.key, "--users": given.users}
     words = [word for option, value in named.items() if value for word in (option, value)]
     words += [word for name in given.name for word in ("--name", name)]
+    words += [word for address in given.library for word in ("--library", address)]
     words += ["--accept-code"] * given.accept_code
     if given.listen:
         return ("--listen", given.listen, *words)

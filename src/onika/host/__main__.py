@@ -142,6 +142,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--users", default="")
     parser.add_argument("--name", action="append", default=[])
     parser.add_argument("--accept-code", action="store_true")
+    parser.add_argument("--library", action="append", default=[], metavar="ADDRESS")
     parser.add_argument("--stay", default="", metavar="FILE")
     parser.add_argument("--robot", default="", metavar="NAME")
     parser.add_argument("--book", default="", metavar="FILE")
@@ -190,6 +191,7 @@ def _server(given: argparse.Namespace, listener: ListenerProcess | None, audit: 
     server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, accepts_code=given.accept_code)
     if listener is not None:
         server.welcome(listener)
+    server.libraries = tuple(given.library)
     if audit is not None:
         _watch(server, audit)
     if given.link_fd is not None:

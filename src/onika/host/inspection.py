@@ -188,7 +188,7 @@ class Inspection:
         now_s, addresses = seen.now * 1e-9, self._server.addresses
         displaced = {} if self._subsystems.runs else seen.displaced()
         facts = seen.is_virtual, is_stopped, now_s, addresses, seen.simulated, displaced
-        return Standing(subsystems, rtpus, seen.worlds, *facts)
+        return Standing(subsystems, rtpus, seen.worlds, *facts, self._server.libraries)
 
     def _subsystem(self, name: str) -> SubsystemStanding:
         run = self._subsystems.run_in(name)

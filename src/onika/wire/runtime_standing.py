@@ -61,3 +61,5 @@ class Standing(Struct, frozen=True, tag=True):
     """Those of `worlds` in which nothing outside the program moves; the others are real."""
     displaced: dict[str, tuple[Displacement, ...]] = {}
     """What does not stand where it stood at the start, by world; nothing is said while an application runs."""
+    libraries: tuple[str, ...] = ()
+    """The addresses of libraries and dictionaries that it supplies to whoever is connected (requirement C19)."""

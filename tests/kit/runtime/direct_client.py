@@ -31,6 +31,7 @@ class OpenGate:
         self.gone: list[str] = []
         self.known: dict[str, Role] = {}
         self.addresses: tuple[str, ...] = ()
+        self.libraries: tuple[str, ...] = ()
         self.launcher = ""
         self.silent: dict[str, int] = {}
         """By session: for how long it has not been heard, in ns."""

@@ -114,6 +114,8 @@ class RequestServer:
         self._accepts_code = accepts_code
         self.addresses: tuple[str, ...] = ()
         """Where others reach this runtime."""
+        self.libraries: tuple[str, ...] = ()
+        """The addresses of libraries that it names to whoever is connected."""
         self._parent: EnvironmentSession | None = None
         self._told: list[tuple[event.Event, str, str]] = []
         self._event_observers: tuple[EventObserver, ...] = ()

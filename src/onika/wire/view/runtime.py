@@ -92,6 +92,8 @@ class RuntimeView(View, frozen=True):
     """How long the way there and back takes; -1: it was not measured."""
     book: BookView | None = None
     """For whom its robot is booked; None: it was not asked, or keeps no bookings."""
+    libraries: tuple[str, ...] = ()
+    """The addresses of libraries that it supplies to whoever is connected."""
     slot_ends: SlotEndView | None = None
     """Whose time ends, as it was announced."""
     clock_set_s: float = 0.0

@@ -30,7 +30,7 @@ def test_the_runtime_is_shown_as_it_stands():
     units = (RtpuStanding("rt0", False, 0.123), RtpuStanding("rt1", True, 0.0))
     shown = runtime_view(
         view.RuntimeView(address="ws://x", stop_text=Reason.plain("why"), world_kinds={"sea": "real", "boxes": "real"}),
-        Standing(homes, units, ("boxes", "cell"), True, True, 1.0, simulated=("boxes",)),
+        Standing(homes, units, ("boxes", "cell"), True, True, 1.0, simulated=("boxes",), libraries=("https://x/arm",)),
     )
     assert shown == view.RuntimeView(
         "linked", "ws://x", NOTHING, True, True, Reason.plain("why"),
@@ -39,7 +39,14 @@ def test_the_runtime_is_shown_as_it_stands():
         holds={"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
         inside={"right": view.SubsystemView("assemble")},
         world_kinds={"sea": "real", "boxes": "simulated", "cell": "real"},
+        libraries=("https://x/arm",),
     )  # fmt: skip
+
+
+def test_of_the_libraries_that_a_runtime_names_no_more_is_shown_than_can_be_read():  # R-C19
+    many = ("", "x" * 501, "a", "a", *map(str, range(50)))
+    shown = runtime_view(view.RuntimeView(), Standing((), (), (), True, False, 1.0, libraries=many))
+    assert shown.libraries == ("a", *map(str, range(19)))
 
 
 def test_what_somebody_else_brings_to_life_comes_onto_the_canvas(duet):  # R-C12

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import islice
 from pathlib import Path
 
 from onika.desk.environment.outcome.outcome import Done, Order
@@ -86,6 +87,16 @@ def seen(model: Model, response: request.Response, doc: str) -> Done:
     return Done(model.with_document(document))
 
 
+_MOST_OFFERED = 20
+"""So many libraries of one runtime are shown; what it says is not to be trusted."""
+_LONGEST_ADDRESS = 500
+
+
+def _offered(libraries: tuple[str, ...]) -> tuple[str, ...]:
+    short = (address for address in dict.fromkeys(libraries) if 0 < len(address) <= _LONGEST_ADDRESS)
+    return tuple(islice(short, _MOST_OFFERED))
+
+
 def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeView:
     """The runtime as it stands."""
     return view.RuntimeView(
@@ -109,6 +120,7 @@ def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeVi
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,
         inside=subsystem_views.surveyed(former.inside, standing),
+        libraries=_offered(standing.libraries),
         book=former.book,
         slot_ends=former.slot_ends,
         clock_set_s=former.clock_set_s,
