@@ -35,6 +35,8 @@ def test_options_reach_the_program(began, tmp_path):  # R-C20
         "--port",
         "0",
         "--upper",
+        "--presentation",
+        "words",
         "--no-connect",
         "--no-diary",
         "--rtpu",
@@ -48,7 +50,7 @@ def test_options_reach_the_program(began, tmp_path):  # R-C20
     site, options, _ = began[0]
     assert site.directories[0].path == tmp_path
     assert (options.is_connected, options.has_diary, options.rtpus) == (False, False, ("a", "b"))
-    assert options.is_upper_only
+    assert options.is_upper_only and options.presentation == "words"
 
 
 def test_only_one_way_to_a_runtime_may_be_named(began, capsys):

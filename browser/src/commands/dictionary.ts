@@ -13,8 +13,10 @@ import {
   openDictionary,
   takePresent,
   turnFitsOnly,
+  present,
 } from '../dictionary/acts'
-import { look, type Presentation } from '../state/look.svelte'
+import { look } from '../state/look.svelte'
+import { fixedPresentation, PRESENTATIONS } from '../onikon/presentation'
 import { workspace } from '../state/workspace.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 
@@ -36,10 +38,8 @@ function find(): void {
 
 const selected = () => desk.tree.onikons[workspace.onikon]
 const isInWorkspace = (): boolean => document.activeElement?.closest('.workspace') != null
-const PRESENTATIONS: Presentation[] = ['pictures', 'both', 'words']
-
 function nextPresentation(): void {
-  look.presentation = PRESENTATIONS[(PRESENTATIONS.indexOf(look.presentation) + 1) % PRESENTATIONS.length]!
+  present(PRESENTATIONS[(PRESENTATIONS.indexOf(look.presentation) + 1) % PRESENTATIONS.length]!)
 }
 
 add('find', 'dictionary.find', { keys: ['Ctrl+F'], run: find, whileTyping: true })
@@ -49,7 +49,7 @@ add('fits', 'dictionary.fitsOnly', {
   when: () => workspace.fitsOnly || gapHere() !== undefined,
   run: turnFitsOnly,
 })
-add('presentation', 'dictionary.nextPresentation', { run: nextPresentation })
+add('presentation', 'dictionary.nextPresentation', { when: () => !fixedPresentation(), run: nextPresentation })
 add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(workspace.onikon) })
 add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(workspace.onikon) })
 add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(workspace.onikon) })

@@ -3,7 +3,7 @@ import { act } from '../act/act'
 import type { OnikonView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { openDialog } from '../state/dialogs.svelte'
-import { look } from '../state/look.svelte'
+import { look, type Presentation } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
@@ -67,6 +67,12 @@ export function likelyType(): string {
 
 /** Make a target of what the robot measures now (D13). */
 export const takePresent = (): void => newTarget({ type: likelyType(), teach: 'yes' })
+
+/** Present icons so, in this browser; the diary has it (H04). */
+export function present(choice: Presentation): void {
+  look.presentation = choice
+  note('set_presentation', choice, '', 'dict')
+}
 
 /** Show only what fits at the place where the next icon goes, or all again. */
 export function turnFitsOnly(): void {

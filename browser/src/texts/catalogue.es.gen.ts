@@ -312,6 +312,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.page_no_forecast": "no prever en segundo plano lo que harían las aplicaciones abiertas",
   "cli.page_open": "Onika está abierto en {address}",
   "cli.page_port": "el puerto de esta máquina ({port}; si no, cualquiera que esté libre)",
+  "cli.page_presentation": "mantener en esta sesión un modo de presentar los iconos: dibujos, dibujos con palabras, solo palabras",
   "cli.page_rtpu": "una unidad de proceso de su propio runtime; puede darse varias veces (rt0)",
   "cli.page_served": "Onika está abierto en {address}, para los usuarios de `onika user list`. Ctrl-C termina.",
   "cli.page_token_file": "el token de ese runtime",

@@ -13,6 +13,7 @@ from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.desk.environment.reconcile.station_names import HERE
+from onika.desk.environment.state.settings import PRESENTATIONS
 from onika.files.state.state_directory import state_directory
 from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
@@ -61,6 +62,8 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--upper", action="store_true", help=say(Reason.of("cli.page_upper")))
+    presented = say(Reason.of("cli.page_presentation"))
+    parser.add_argument("--presentation", choices=PRESENTATIONS, default="", help=presented)
     parser.add_argument("--no-forecast", action="store_true", help=say(Reason.of("cli.page_no_forecast")))
     parser.add_argument("--no-diary", action="store_true", help=say(Reason.of("cli.page_no_diary")))
     add_base(parser)
@@ -93,6 +96,7 @@ def carry_out(given: argparse.Namespace) -> int:
         foresees=not given.no_forecast,
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
+        presentation=given.presentation,
     )
     program = EnvironmentProgram(site_here(given.base), options, state_directory(os.environ))
     shows = not given.no_browser and has_screen()

@@ -89,6 +89,8 @@ class EnvironmentOptions:
     foresees: bool = True
     """Whether what open applications would come to is foreseen while they are edited (E16)."""
     is_upper_only: bool = False
+    presentation: str = ""
+    """How icons are presented in this session; empty: as each browser likes (H04)."""
 
 
 class EnvironmentProgram:
@@ -188,9 +190,12 @@ class EnvironmentProgram:
 
     def _settings(self) -> Mapping[str, str]:
         """What the system says of this session, and what was asked for when it was begun."""
+        wanted: dict[str, str] = {}
         if self._options.is_upper_only:
-            return {**os.environ, "ONIKA_LOWER": "no"}
-        return os.environ
+            wanted["ONIKA_LOWER"] = "no"
+        if self._options.presentation:
+            wanted["ONIKA_PRESENTATION"] = self._options.presentation
+        return {**os.environ, **wanted}
 
     def _leave(
         self, environment: Environment, surroundings: Services, kept: Recovery | None, autosave: Autosave

@@ -39,6 +39,7 @@ def test_a_page_sees_the_preferences_that_change_something_by_their_names(sittin
         "shows_lower": True,
         "angle_unit": "rad",
         "length_unit": "m",
+        "presentation": "",
         "places": {},
     }
 
@@ -156,3 +157,9 @@ def test_where_nothing_can_be_written_it_is_said(sitting):  # R-B12
 def test_every_column_may_be_shown(sitting):  # R-G01
     sitting.do(act.Prefer({"status_columns": list(STATUS_COLUMNS)}))
     assert preferred(sitting).status_columns == STATUS_COLUMNS
+
+
+def test_no_act_changes_how_icons_are_presented_in_a_study(tmp_path):  # R-H04
+    sitting = EnvironmentFixture(tmp_path)
+    assert "presentation" in sitting.no(act.Prefer({"presentation": "pictures"})).fields
+    assert sitting.environment.tree.preferences["presentation"] == ""

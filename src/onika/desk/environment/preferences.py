@@ -89,7 +89,7 @@ def _filed(values: Mapping[str, Any], outside: Services) -> Refusal | None:
 
 def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
     """A value as the preference of that name has it; raises _Wrong."""
-    if name not in now:
+    if name not in now or name == "presentation":  # a study fixes it, and no act changes it
         raise _Wrong(Reason.of("run.no_preference"))
     if name == PLACES:
         return places_of(value)

@@ -47,3 +47,10 @@ def test_where_they_cannot_be_written_the_reason_is_given(tmp_path):
 def test_a_unit_that_nobody_knows_is_that_of_files(tmp_path):  # R-G08
     keep(tmp_path, {"angle_unit": "deg", "length_unit": "furlong"})
     assert read(tmp_path, {})[0] == Settings(angle_unit="deg")
+
+
+def test_how_icons_are_presented_holds_for_a_session_and_only_by_a_known_word(tmp_path):  # R-H04
+    assert read(tmp_path, {"ONIKA_PRESENTATION": "words"})[0].presentation == "words"
+    assert read(tmp_path, {"ONIKA_PRESENTATION": "smells"})[0].presentation == ""
+    keep(tmp_path, {"shows_warnings": False})
+    assert read(tmp_path, {})[0].presentation == ""

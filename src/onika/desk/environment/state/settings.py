@@ -1,6 +1,7 @@
-"""What a user wants of the environment that the preference file has no line for (requirements C08, C20, G05, G08, H01).
+"""What a user wants of the environment that the preference file has no line for (C08, C20, G05, G08, H01, H04).
 
-They are kept as `habits.json` in the state directory; ONIKA_WARNINGS and ONIKA_LOWER rule over the file.
+They are kept as `habits.json` in the state directory; ONIKA_WARNINGS and ONIKA_LOWER rule over the file,
+and ONIKA_PRESENTATION holds for a session.
 """
 
 from collections.abc import Mapping
@@ -19,6 +20,9 @@ from onika.words.unit import UNITS
 
 NAME = "habits.json"
 
+PRESENTATIONS = ("pictures", "both", "words")
+"""Pictures, pictures with descriptions, descriptions only: the three groups of §6.2.1."""
+
 _NO = ("", "0", "no", "off", "false")
 
 
@@ -33,6 +37,8 @@ class Settings:
     """In which angles are read and typed (`words.unit`); files hold radians."""
     length_unit: str = "m"
     """The same of lengths; files hold metres."""
+    presentation: str = ""
+    """How icons are presented in this session, as a study fixes it (`PRESENTATIONS`); empty: as each browser likes."""
 
 
 def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, Reason]:
@@ -42,6 +48,8 @@ def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, 
     overrides: dict[str, Any] = {
         habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment
     }
+    fixed = environment.get("ONIKA_PRESENTATION", "")
+    overrides["presentation"] = fixed if fixed in PRESENTATIONS else ""
     return replace(settings, **overrides), wrong
 
 

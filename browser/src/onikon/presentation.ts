@@ -1,0 +1,14 @@
+// How icons are presented (H04): as a study has fixed it for this session, else as one likes it in this browser.
+import { desk } from '../link/desk.svelte'
+import { look, type Presentation } from '../state/look.svelte'
+
+export const PRESENTATIONS: readonly Presentation[] = ['pictures', 'both', 'words']
+
+/** The one that the session is held to; undefined: everybody chooses. */
+export const fixedPresentation = (): Presentation | undefined =>
+  PRESENTATIONS.find((presentation) => presentation === desk.live.preferences.presentation)
+
+export const presentation = (): Presentation => fixedPresentation() ?? look.presentation
+
+/** Whether icons are rectangles with words: no pictures, and edges without colour and shape, as in the dissertation (§6.2.1). */
+export const isWordsOnly = (): boolean => presentation() === 'words'
