@@ -775,6 +775,18 @@ export interface SwitchSet {
   name: string;
 }
 
+/** Open what a puzzle begins with as a new application, whose runs are judged by it; the value is its id. */
+export interface BeginPuzzle {
+  t: 'BeginPuzzle';
+  puzzle: string;
+  doc?: string;
+}
+
+/** Which puzzles there are, and how far one is; the value is a `view.PuzzlesView`. */
+export interface ListPuzzles {
+  t: 'ListPuzzles';
+}
+
 /** Look at a library at an address, whether it is used or not; the value is a `view.OfferView`. Nothing is kept. */
 export interface BrowseLibrary {
   t: 'BrowseLibrary';
@@ -1224,6 +1236,7 @@ export interface ApplicationView {
   worlds?: Record<string, (string)[]>;
   guests?: Record<string, string>;
   stations?: Record<string, string>;
+  puzzle?: string;
 }
 
 /** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
@@ -1640,6 +1653,51 @@ export interface NetworkView {
   unjudged?: number;
 }
 
+/** The best result of a puzzle on this machine. */
+export interface BestView {
+  stars: number;
+  actions: number;
+  took_s: number;
+}
+
+/** A condition, and whether it held at the end of a run. */
+export interface GoalView {
+  text: string;
+  is_met?: boolean;
+  found?: string;
+}
+
+/** What came of a run of an application that was begun for a puzzle. */
+export interface PuzzleResultView {
+  puzzle: string;
+  goals?: (GoalView)[];
+  is_solved?: boolean;
+  uncounted?: Reason;
+  stars?: number;
+  actions?: number;
+  took_s?: number;
+}
+
+/** All puzzles, easiest first. */
+export interface PuzzlesView {
+  puzzles?: (PuzzleView)[];
+}
+
+/** A puzzle of the search path. */
+export interface PuzzleView {
+  name: string;
+  level: number;
+  titles?: Record<string, string>;
+  tasks?: Record<string, string>;
+  goals?: (string)[];
+  is_fault?: boolean;
+  actions?: number;
+  seconds?: number;
+  hints?: (Record<string, string>)[];
+  tries?: number;
+  best?: BestView | null;
+}
+
 /** One thing that a library offers: a task, configuration, icon, application or world. */
 export interface OfferEntryView {
   kind: string;
@@ -2010,6 +2068,7 @@ export interface RunView {
   repeats_until_s?: number;
   steps_by_task?: Record<string, (number)[]>;
   station?: string;
+  puzzle?: PuzzleResultView | null;
 }
 
 /** What has become of a step of the application in this run. */
@@ -2416,6 +2475,6 @@ export interface TeacherAct {
   text: string;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | ListPuzzles | BeginPuzzle | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

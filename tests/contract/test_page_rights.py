@@ -32,7 +32,7 @@ Renew Draft
 MakeJob Prefer Press Halt NewApplication InsertIcon InsertBranch SetConditions ExchangeIcon RemoveIcons
 MoveIcons CopyIcons CutIcons PasteIcons EditIcon SetBreakpoint SetSynchTag SetLoop RepeatSteps
 RemoveLoop AddFlow RemoveFlow SetParallel OpenDictionary CloseDictionary MakeTarget EditOnikon
-RemoveOnikon Continue KeepTest"""
+RemoveOnikon Continue KeepTest ListPuzzles BeginPuzzle"""
 OWNER = """StartAnew SetButton TakeLibrary DropLibrary AddPlace DropPlace TrustSite"""
 ROWS = dict(zip(Role, (WATCHER, OPERATOR, PROGRAMMER, OWNER), strict=True))
 KINDS = get_args(act.AnyAct)

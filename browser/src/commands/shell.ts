@@ -13,7 +13,7 @@ import { goTo, shownDocument, shownId, shownOne, step, toRedo, toUndo } from '..
 import { openBlank, save } from '../act/opening'
 import { checkMemory, saveReadings } from '../monitor/memory'
 import { allowMotion, stopEverything } from '../shell/stopping'
-import { startTutorial } from '../help/tutorial.svelte'
+import { startPuzzles, startTutorial } from '../help/tutorial.svelte'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => shownOne() !== undefined
@@ -301,6 +301,7 @@ command({
   inDialogs: true,
 })
 command({ id: 'view.tutorial', group: 'help', title: () => t('tutorial.title'), run: startTutorial })
+command({ id: 'view.puzzles', group: 'help', title: () => t('puzzle.title'), run: startPuzzles })
 command({
   id: 'view.preferences',
   group: 'view',

@@ -19,7 +19,10 @@ import {
 } from './programParts'
 import { isCompleted, LESSONS, topFlowsOf, type Lesson, type LessonId, type Seen } from './tutorial'
 
-export type CourseId = 'first' | 'loops' | 'branches' | 'meetings' | 'arms' | 'nesting'
+export type CourseId = 'first' | 'loops' | 'branches' | 'meetings' | 'arms' | 'nesting' | 'faults' | 'puzzles'
+
+/** What has no lessons of its own, but puzzles, which the environment judges. */
+export const isOfPuzzles = (course: CourseId): boolean => course === 'faults' || course === 'puzzles'
 
 /** A program that is shipped and works: it counts when that one was run to its end. */
 const example = (id: LessonId, name: string, more: (seen: Seen) => boolean): Lesson => ({
@@ -87,6 +90,8 @@ export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
         isCompleted(seen) && nested(seen).some((number) => isOwn(seen, number) && timesOf(seen, number) > 0),
     },
   ],
+  faults: [],
+  puzzles: [],
 }
 
 export const COURSE_IDS = Object.keys(COURSES) as CourseId[]

@@ -4,7 +4,7 @@ import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
-import { COURSES, type CourseId } from './courses'
+import { COURSES, isOfPuzzles, type CourseId } from './courses'
 import { skippedWith, type Lesson, type LessonId, type Seen } from './tutorial'
 
 /** What was skipped counts as passed, but gets no tick. */
@@ -28,7 +28,15 @@ export function choose(course: CourseId): void {
 
 /** Open it at the upper level; from the beginning where it was done to its end. */
 export function startTutorial(): void {
+  if (isOfPuzzles(tutorial.course)) choose('first')
   if (tutorial.done >= lessons().length) beginAgain()
+  setOpen(true)
+  goTo('applications')
+}
+
+/** Open the puzzles. */
+export function startPuzzles(): void {
+  choose('puzzles')
   setOpen(true)
   goTo('applications')
 }

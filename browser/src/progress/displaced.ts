@@ -33,3 +33,7 @@ function driven(things: ByWorld, app: ApplicationView | undefined): string[] {
   const worlds = new Set(Object.values(app?.worlds ?? {}).flat())
   return Object.keys(things ?? {}).filter((world) => worlds.has(world))
 }
+
+/** Whether a run puts everything back first: something has left its place, or a puzzle wants it from the start. */
+export const beginsAfresh = (runtime: RuntimeView, app: ApplicationView | undefined): boolean =>
+  !!app?.puzzle || canBePutBack(runtime, app)

@@ -3,7 +3,7 @@ import { act } from '../act/act'
 import type { FlowRunView, RunView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { runtimeFor, stationFor } from '../link/stations'
-import { canBePutBack } from '../progress/displaced'
+import { beginsAfresh } from '../progress/displaced'
 import { isSimulator } from '../progress/recording'
 import { options } from '../state/options.svelte'
 
@@ -50,7 +50,7 @@ export const putBack = (): Promise<unknown> =>
 export const startAnew = (): Promise<unknown> => act({ t: 'StartAnew' })
 /** Begin as the black button says: where something has left its place it is put back first. */
 export const startAfresh = (doc: string): Promise<unknown> =>
-  start(doc, canBePutBack(runtimeFor(desk.live), desk.live.applications[doc]))
+  start(doc, beginsAfresh(runtimeFor(desk.live), desk.live.applications[doc]))
 
 /** End the run that stands, put everything back and begin anew. */
 export const startOver = (doc: string): Promise<unknown> => start(doc, true, true)

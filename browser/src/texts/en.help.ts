@@ -167,4 +167,28 @@ export const enHelp = {
   'tutorial.nestOwn': 'Find out: make a picture of a program of your own, and use that',
   'tutorial.nestOwnHow':
     'Save a program, and take “As icon…” below its name. Then put the new picture into another program and run it. What does it have to leave open to take a target?',
+  'tutorial.course.faults': 'Finding a fault',
+  'tutorial.course.puzzles': 'Puzzles',
+  'puzzle.title': 'Puzzles',
+  'puzzle.say':
+    'A goal in the workcell, reached by a program of yours. One star for the goal, one for few actions, one for little time. Each run begins with the workcell put back.',
+  'puzzle.faults':
+    'Twelve programs, each with one fault. Begin one, look at what the page says of it, run it, mend it. It is ticked when the mended program has reached its goal.',
+  'puzzle.goal': 'At the end must hold:',
+  'puzzle.par': 'For three stars: actions at most {actions}, time at most {s} s.',
+  'puzzle.tries': 'Tries so far: {n}',
+  'puzzle.best': 'actions: {actions}, time: {s} s',
+  'puzzle.bestSoFar': 'Best:',
+  'puzzle.stars': '{n} of 3 stars',
+  'puzzle.begin': 'Begin',
+  'puzzle.again': 'Begin anew',
+  'puzzle.hint': 'Hint ({n} left)',
+  'puzzle.hintNumber': 'Hint {n}:',
+  'puzzle.solved': 'Solved',
+  'puzzle.mended': 'Mended',
+  'puzzle.notYet': 'Not yet',
+  'puzzle.uncounted': 'This run does not count: {why}.',
+  'puzzle.holds': 'holds',
+  'puzzle.found': 'does not hold: it was {value}',
+  'puzzle.nothing': 'does not hold: no value was there at the end',
 }

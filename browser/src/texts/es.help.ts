@@ -171,4 +171,28 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.nestOwn': 'Averigüe: haga una imagen de un programa suyo, y úsela',
   'tutorial.nestOwnHow':
     'Guarde un programa y elija «Como icono…» debajo de su nombre. Ponga la imagen nueva en otro programa y ejecútelo. ¿Qué debe dejar abierto para tomar un objetivo?',
+  'tutorial.course.faults': 'Encontrar un fallo',
+  'tutorial.course.puzzles': 'Rompecabezas',
+  'puzzle.title': 'Rompecabezas',
+  'puzzle.say':
+    'Una meta en la célula, alcanzada con un programa suyo. Una estrella por la meta, otra por pocas acciones, otra por poco tiempo. Cada ejecución empieza con la célula restablecida.',
+  'puzzle.faults':
+    'Doce programas, cada uno con un fallo. Empiece uno, mire lo que la página dice de él, ejecútelo, arréglelo. Se marca cuando el programa arreglado ha alcanzado su meta.',
+  'puzzle.goal': 'Al final debe cumplirse:',
+  'puzzle.par': 'Para tres estrellas: acciones como mucho {actions}, tiempo como mucho {s} s.',
+  'puzzle.tries': 'Intentos hasta ahora: {n}',
+  'puzzle.best': 'acciones: {actions}, tiempo: {s} s',
+  'puzzle.bestSoFar': 'Lo mejor:',
+  'puzzle.stars': '{n} de 3 estrellas',
+  'puzzle.begin': 'Empezar',
+  'puzzle.again': 'Empezar de nuevo',
+  'puzzle.hint': 'Pista (quedan {n})',
+  'puzzle.hintNumber': 'Pista {n}:',
+  'puzzle.solved': 'Resuelto',
+  'puzzle.mended': 'Arreglado',
+  'puzzle.notYet': 'Todavía no',
+  'puzzle.uncounted': 'Esta ejecución no cuenta: {why}.',
+  'puzzle.holds': 'se cumple',
+  'puzzle.found': 'no se cumple: era {value}',
+  'puzzle.nothing': 'no se cumple: al final no había valor',
 }

@@ -1,8 +1,8 @@
 // Lessons of loops, branches, flows that meet, two arms and nesting: nothing ticks that was not really done. R-H07
-import { readFileSync } from 'node:fs'
+import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import type { ApplicationView, DictionaryView, OnikonView, RunView, StepView } from '../../src/api.gen'
-import { COURSE_IDS, COURSES, type CourseId } from '../../src/help/courses'
+import { COURSE_IDS, COURSES, isOfPuzzles, type CourseId } from '../../src/help/courses'
 import { advanced, type LessonId, type Seen } from '../../src/help/tutorial'
 import { en } from '../../src/texts/en'
 
@@ -280,9 +280,8 @@ const LOOKS: Partial<Record<LessonId, { is: Look; isNot: Look[] }>> = {
     ],
   },
 }
-const LESSON_IDS = COURSE_IDS.filter((course) => course !== 'first').flatMap((course) =>
-  COURSES[course].map(({ id }) => id),
-)
+const WITH_LESSONS = COURSE_IDS.filter((course) => course !== 'first' && !isOfPuzzles(course))
+const LESSON_IDS = WITH_LESSONS.flatMap((course) => COURSES[course].map(({ id }) => id))
 
 test.each(LESSON_IDS)('%s counts when it was done, and not when something like it was', (id) => {
   const { is, isNot } = LOOKS[id]!
@@ -307,7 +306,7 @@ test('a course goes on lesson by lesson, and what comes later ticks nothing befo
 })
 
 test('each course begins with a program to look at, and ends with something to find out', () => {
-  for (const course of COURSE_IDS.filter((course) => course !== 'first')) {
+  for (const course of WITH_LESSONS) {
     expect(COURSES[course][0]!.example, course).toBeTruthy()
     expect(en[`tutorial.${COURSES[course].at(-1)!.id}`], course).toMatch(/^Find out: /)
   }
@@ -320,9 +319,32 @@ test('the guide has the same courses with the same steps under the same names', 
     title: course.split('\n')[0],
     steps: [...course.matchAll(/^### (\d+)\. (.+)$/gm)].map(([, number, title]) => [Number(number), title]),
   }))
+  const steps = (course: CourseId): string[] =>
+    isOfPuzzles(course) ? puzzleTitles(course === 'faults') : COURSES[course].map(({ id }) => en[`tutorial.${id}`])
   const expected = COURSE_IDS.filter((course) => course !== 'first').map((course: CourseId) => ({
     title: en[`tutorial.course.${course}`],
-    steps: COURSES[course].map(({ id }, k) => [k + 1, en[`tutorial.${id}`]]),
+    steps: steps(course).map((title, k) => [k + 1, title]),
   }))
   expect(headings.filter(({ steps }) => steps.length)).toEqual(expected)
 })
+
+/** The English titles of the shipped puzzles, easiest first. */
+function puzzleTitles(isFault: boolean): string[] {
+  const labs = new URL('../../../src/onika/labs/', import.meta.url)
+  const files = readdirSync(labs, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.puzzle'))
+  const line = (text: string, words: string): string =>
+    text
+      .split('\n')
+      .find((row) => row.replace(/ +/g, ' ').startsWith(words))
+      ?.replace(/ +/g, ' ')
+      .slice(words.length)
+      .trim() ?? ''
+  return files
+    .map((file) => ({
+      name: file.split('/').at(-1)!.replace('.puzzle', ''),
+      text: readFileSync(new URL(file, labs), 'utf8'),
+    }))
+    .filter(({ text }) => (line(text, 'PROGRAM') !== '') === isFault)
+    .sort((a, b) => Number(line(a.text, 'LEVEL')) - Number(line(b.text, 'LEVEL')) || (a.name < b.name ? -1 : 1))
+    .map(({ text }) => line(text, 'TITLE en'))
+}

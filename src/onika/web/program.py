@@ -22,6 +22,7 @@ from onika.desk.environment.outcome.network_services import NetworkServices
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.desk.environment.puzzle_ledger import PuzzleLedger
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runs import readiness
 from onika.desk.environment.runs.forecaster import Forecaster
@@ -151,6 +152,7 @@ class EnvironmentProgram:
         hub = Hub(environment, stations)
         hub.remember(says)
         door = (opens or _opening(listening, on_ready, place))(environment, hub)
+        environment.followers.append(PuzzleLedger(self._state, environment.say).follow)
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
         diary = self._diary(environment)

@@ -47,6 +47,8 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Unit: ("set_rtpu", "conf"),
     act.Check: ("check_conf", "conf"),
     act.NewApplication: ("new_appl", "appl"),
+    act.ListPuzzles: ("list_puzzles", "main"),
+    act.BeginPuzzle: ("begin_puzzle", "appl"),
     act.InsertIcon: ("insert_icon", "appl"),
     act.InsertBranch: ("insert_branch", "appl"),
     act.SetConditions: ("set_conditions", "appl"),

@@ -25,7 +25,7 @@ from onika.desk.environment.canvas import (
 )
 from onika.desk.environment.control import bookings, control_authority, held_subsystems, stations, view_only
 from onika.desk.environment.environment import Handler
-from onika.desk.environment.file import applications, configurations, file_acts
+from onika.desk.environment.file import applications, configurations, file_acts, puzzles
 from onika.desk.environment.icons import (
     arranging,
     branches,
@@ -190,6 +190,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.StartAnew: restart.start_anew,
     act.PutBack: put_back.put_back,
     act.NewApplication: applications.new,
+    act.ListPuzzles: puzzles.list_puzzles,
+    act.BeginPuzzle: puzzles.begin_puzzle,
     act.InsertIcon: insertion.insert_icon,
     act.InsertBranch: insertion.insert_branch,
     act.ExchangeIcon: insertion.exchange_icon,

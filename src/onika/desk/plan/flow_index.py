@@ -37,7 +37,7 @@ class FlowIndex:
                 IndexedFlow(
                     flow.subsystem,
                     tuple(action.name for action in flow.actions),
-                    _variables(flow),
+                    variables(flow),
                     flow.parent is not None,
                 )
                 for flow in plan.flows
@@ -115,6 +115,7 @@ class FlowIndex:
         raise ValueError(Reason.of("desk.variable_unknown", address=address))
 
 
-def _variables(flow: PlannedFlow) -> frozenset[str]:
+def variables(flow: PlannedFlow) -> frozenset[str]:
+    """What the tasks of a flow read and write, by the names in its table."""
     ports = [(task.inconst + task.outconst + task.invar + task.outvar, dict(task.aliases)) for task in flow.tasks]
     return frozenset(name for names, aliases in ports for name in resolve(names, aliases))

@@ -129,6 +129,7 @@ from onika.wire.act.parameter_set import (
     RemoveSet as RemoveSet,
     SwitchSet as SwitchSet,
 )
+from onika.wire.act.puzzle import BeginPuzzle as BeginPuzzle, ListPuzzles as ListPuzzles
 from onika.wire.act.remote_library import (
     BrowseLibrary as BrowseLibrary,
     DropLibrary as DropLibrary,
@@ -245,6 +246,8 @@ AnyAct = (
     | CompareWithShipped
     | GoBackToShipped
     | ListReplaced
+    | ListPuzzles
+    | BeginPuzzle
     | BringBack
     | ListRemoteLibraries
     | BrowseLibrary

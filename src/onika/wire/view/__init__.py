@@ -56,6 +56,13 @@ from onika.wire.view.network import (
     NetworkSiteView as NetworkSiteView,
     NetworkView as NetworkView,
 )
+from onika.wire.view.puzzle import (
+    BestView as BestView,
+    GoalView as GoalView,
+    PuzzleResultView as PuzzleResultView,
+    PuzzlesView as PuzzlesView,
+    PuzzleView as PuzzleView,
+)
 from onika.wire.view.remote_library import (
     OfferEntryView as OfferEntryView,
     OfferView as OfferView,

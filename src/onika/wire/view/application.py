@@ -125,6 +125,8 @@ class ApplicationView(View, frozen=True):
     """The guest of a flow: what carries out all its actions, by its subsystem, as it was judged last."""
     stations: dict[str, str] = field(default_factory=dict)
     """Where its flows are carried out, by subsystem; under the empty one, where all others are."""
+    puzzle: str = ""
+    """The puzzle by which its runs are judged; empty: none."""
 
 
 class ApplicationFile(View, frozen=True):

@@ -5,6 +5,7 @@ from typing import Any, Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView
+from onika.wire.view.puzzle import PuzzleResultView
 from onika.wire.view.view import ChoiceView, View
 from onika.words.reason import NOTHING, Reason
 
@@ -169,3 +170,5 @@ class RunView(View, frozen=True):
     """By `SUBSYSTEM/TASK`: the steps of the application in which it is ON."""
     station: str = ""
     """Where it is carried out; empty: at the first station."""
+    puzzle: PuzzleResultView | None = None
+    """What came of it, once it is over, where it was to solve a puzzle."""

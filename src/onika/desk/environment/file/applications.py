@@ -139,6 +139,15 @@ def _next_id(model: Model) -> str:
     return DocumentKind.APPLICATION.id(model.opened + 1)
 
 
+def open_program(model: Model, application: Application, puzzle: str) -> Done:
+    """Open a program that is in no file, whose runs are judged by a puzzle; the value is its id."""
+    program, last = numbered(application, 0)
+    taken = {file.name for file in model.open_files}
+    names = (application.name, *(f"{application.name}-{number}" for number in range(2, len(taken) + 3)))
+    name = next(name for name in names if name not in taken)
+    return _opened_beside(model, OpenApplication(_next_id(model), replace(program, name=name), last, puzzle=puzzle))
+
+
 def _opened_beside(model: Model, opened: OpenApplication) -> Done:
     """With one more application, whose id is the value."""
     return Done(replace(model.with_application(opened), opened=model.opened + 1), value=opened.id)

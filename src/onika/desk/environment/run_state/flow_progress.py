@@ -90,11 +90,12 @@ def over(run: Run, result: event.Result) -> Run:
     """The run at its end (E14); what was under way is left."""
     for subsystem, flow in run.view.flows.items():
         run = _closed(run, subsystem, flow.step, result.runtime_s)
+    run = run.shown(is_completed=result.completed)
     return replace(run, statuses={}, on=frozenset(), awaits=None).shown(
         state="over",
+        puzzle=None if run.attempt is None else run.attempt.result(run.view, result),
         asks={},
         stops={key: stop for key, stop in run.view.stops.items() if not key},
-        is_completed=result.completed,
         cause=_cause(run, run.wording.with_icons(result.cause)),
         done=result.done,
         took_s=result.runtime_s,

@@ -8,6 +8,7 @@ from msgspec import structs
 
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
+from onika.desk.environment.run_state.puzzle_attempt import PuzzleAttempt
 from onika.desk.plan.flow_guests import guest_of
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.flow_worlds import driven_worlds
@@ -62,6 +63,8 @@ class Run:
     """What came of live changes while the run was about to begin, by number."""
     station: str = ""
     """Where it is carried out; empty: at the first station."""
+    attempt: PuzzleAttempt | None = None
+    """The puzzle that it is to solve; None: there is none."""
     parts: tuple[RunPart, ...] = ()
     """Of a run at several stations, what each carries out; empty: it is at one."""
 

@@ -39,6 +39,7 @@ from onika.desk.environment.runs import (
     flow_placement,
     flow_stations,
     put_back,
+    puzzle_run,
     recording,
     takeover,
     unit_choice,
@@ -160,6 +161,8 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         unsaved=is_unsaved,
         stations=flow_stations.apart(opened, prepared.plan),
         together=flow_stations.together(opened, prepared.plan),
+        puzzle=puzzle_run.puzzle_of(opened, outside.site),
+        uncounted=puzzle_run.uncounted(opened, prepared.plan, command),
     )
 
 
@@ -256,7 +259,8 @@ def _begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
     model, refused_ = _prepared(model, response, start)
     if refused_ is not None:
         return model, refused_
-    begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss, record=start.record)
+    watch = () if model.run is None or model.run.attempt is None else model.run.attempt.watch
+    begin = request.Begin(watch, may_ask=True, on_error="wait", on_loss=start.command.on_loss, record=start.record)
     model, response = yield Ask(model, begin)
     return model, None if isinstance(response, request.Done) else _unbegun(start, refusal(response))
 

@@ -7,14 +7,16 @@ from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
+from onika.desk.environment.run_state.puzzle_attempt import PuzzleAttempt
 from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
+from onika.model.puzzle import Puzzle
 from onika.wire import act, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +44,16 @@ class RunStart:
     together: tuple[Remedy, ...] = ()
     """Ways to have all of them at one, where they cannot meet."""
 
+    puzzle: Puzzle | None = None
+    """What it is to solve; None: nothing."""
+    uncounted: Reason = NOTHING
+    """Why the run does not count for that."""
+
     def run(self, model: Model) -> Run:
         """The run as it is shown before it has begun."""
         run = begun(self.command.doc, self.plan, model.performed + 1, self.began_at_s, self.belonging, self.wording)
-        run = replace(run, durations=self.durations, station=model.station)
+        attempt = None if self.puzzle is None else PuzzleAttempt.of(self.puzzle, self.plan, self.uncounted)
+        run = replace(run, durations=self.durations, station=model.station, attempt=attempt)
         run = run.shown(recording=self.record, station=model.station)
         for note in self.notes:
             run = run.noted(note)

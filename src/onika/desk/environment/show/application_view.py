@@ -73,6 +73,7 @@ class ApplicationProjector:
             is_checked=looked is not None,
             is_running=is_running,
             stations=dict(opened.stations),
+            puzzle=opened.puzzle,
             redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
             forecast=_forecast(opened),
             worlds=dict(opened.judgement.worlds) if opened.judgement is not None else {},

@@ -93,6 +93,8 @@ class OpenApplication(OpenFile[Application, Application]):
     """The tasks that stand for others as long as it is open."""
     stations: Mapping[str, str] = field(default_factory=dict)
     """Where its flows are carried out as long as it is open, by subsystem; the empty one stands for all others."""
+    puzzle: str = ""
+    """The puzzle by which its runs are judged as long as it is open; empty: none."""
     marks: Mapping[int, Reason] = field(default_factory=dict)
     """What became of steps when a runtime looked at them last, by their numbers."""
     looked: PreflightResult | None = None
