@@ -65,7 +65,14 @@ class ClassBrowser:
         host = host or self.host
         cookies = "; ".join(f"{name}={value}" for name, value in self.cookies.items())
         origin, headers = Origin(f"http://{host}"), {"Cookie": cookies}
-        return connect(f"ws://{host}/ws", additional_headers=headers, origin=origin, open_timeout=PATIENCE_S)
+        return connect(
+            f"ws://{host}/ws",
+            additional_headers=headers,
+            origin=origin,
+            open_timeout=PATIENCE_S,
+            ping_interval=None,  # nobody may read it for a while
+            max_queue=None,
+        )
 
     def hand_in(self) -> int:
         """What the page of a seat does."""
