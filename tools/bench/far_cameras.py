@@ -16,8 +16,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import monotonic, monotonic_ns, process_time
 
+sys.path.insert(0, str(Path(__file__).parents[1]))
 from far_line import FarLine
-
 from kit.plans.plan_builder import PlanBuilder
 from kit.worlds.installed_world import install_world
 from onika.desk.run.remote_runtime import RemoteRuntime
