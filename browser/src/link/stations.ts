@@ -22,6 +22,12 @@ export function worldAt(name: string): [station: string, world: string] {
   return at < 0 ? ['', name] : [name.slice(0, at), name.slice(at + 1)]
 }
 
+/** Of these worlds the one to look at: the one that was picked, else the first that a program drives, else the first. */
+export function worldFor(worlds: readonly string[], picked: string, driven: readonly string[]): string {
+  if (worlds.includes(picked)) return picked
+  return worlds.find((name) => driven.includes(worldAt(name)[1])) ?? worlds[0] ?? ''
+}
+
 /** The stations at which all is stopped. */
 export const stoppedIn = (tree: FullTree): Station[] =>
   stationsIn(tree).filter(([, runtime]) => runtime.is_stopped === true)

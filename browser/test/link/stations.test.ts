@@ -1,7 +1,7 @@
 // The stations of the environment, as the page lists them.
 import { describe, expect, it } from 'vitest'
 import { fullTree } from '../../src/link/desk.svelte'
-import { runtimeAt, stationsIn, stoppedIn, worldAt, worldsIn } from '../../src/link/stations'
+import { runtimeAt, stationsIn, stoppedIn, worldAt, worldFor, worldsIn } from '../../src/link/stations'
 
 const tree = fullTree({
   runtime: { state: 'linked', worlds: { boxes: true } },
@@ -22,6 +22,13 @@ describe('stations', () => {
       ['cmu', 'boxes'],
       ['cmu', 'boxes@2'],
     ])
+  })
+  it('looks at the world that was picked, else at one that the open program drives, else at the first', () => {
+    const worlds = ['hall', 'cmu/stand', 'stand']
+    expect(worldFor(worlds, 'stand', ['hall'])).toBe('stand')
+    expect(worldFor(worlds, '', ['stand'])).toBe('cmu/stand')
+    expect(worldFor(worlds, 'gone', ['bench'])).toBe('hall')
+    expect(worldFor([], 'hall', ['hall'])).toBe('')
   })
   it('knows where all is stopped', () => {
     expect(stoppedIn(tree).map(([name]) => name)).toEqual(['cmu'])
