@@ -10,14 +10,13 @@ from contextlib import ExitStack
 from itertools import chain
 from time import monotonic
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import structs
 
 from onika.desk.joined import meeting_links
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.plan_parts import PlanPart, parts_of
-from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.run import Opens
 from onika.desk.run.runtime_conversation import PATIENCE_S, NumberedResponse
 from onika.desk.run.settings import RunSettings
@@ -27,6 +26,9 @@ from onika.wire.plan import Plan
 from onika.wire.rendezvous_link import MeetingTerms
 from onika.wire.world_values import WorldValues
 from onika.words.reason import NOTHING, Reason
+
+if TYPE_CHECKING:
+    from onika.desk.run.remote_runtime import RemoteRuntime
 
 _LISTS = ("tasks", "skews_us", "switches_us", "steps", "remarks")
 _TO_ALL = (request.Stop, request.Abort, live.Reset)
@@ -40,7 +42,7 @@ class JoinedRuntimes:
 
     def __init__(
         self,
-        runtimes: Sequence[RemoteRuntime],
+        runtimes: "Sequence[RemoteRuntime]",
         sites: Mapping[str, int],
         titles: Sequence[str],
         hosts: Sequence[str],
@@ -228,6 +230,8 @@ def opens(settings: RunSettings) -> Opens | None:
     if not settings.places:
         return None
     locations = list(dict.fromkeys(location for _, location in settings.places))
+
+    from onika.desk.run.remote_runtime import connect  # within: it brings along all that speaks to other machines
 
     def join(_plan: Plan, _values: WorldValues) -> JoinedRuntimes:
         runtimes = [connect(location.url, location.token, location.ca) for location in locations]

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import replace
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.flow_index import FlowIndex
@@ -17,7 +17,6 @@ from onika.desk.run.interruption import Interruption
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
-from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.running_application import Running
 from onika.desk.run.runtime_conversation import RunRuntime, RuntimeConversation
 from onika.desk.run.script_player import ScriptPlayer
@@ -35,6 +34,9 @@ from onika.wire.world_values import WorldValues, options_of
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
+
+if TYPE_CHECKING:
+    from onika.desk.run.remote_runtime import RemoteRuntime
 
 _RECORD = Place("--record")
 _AT = Place("--at")
@@ -301,10 +303,12 @@ def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
 
 def _runtime(
     settings: RunSettings, plan: Plan, values: WorldValues, recorded: RecordedRun | None
-) -> LaunchedRuntime | RemoteRuntime:
+) -> "LaunchedRuntime | RemoteRuntime":
     if recorded is not None:
         return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
     if settings.elsewhere is not None:
+        from onika.desk.run.remote_runtime import connect  # within: it brings along all that speaks to other machines
+
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
     scale = () if settings.scale is None else ("--scale", f"{settings.scale:.15g}")
     options = (*scale, *options_of(settings.shake, values))

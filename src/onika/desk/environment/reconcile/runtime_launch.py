@@ -5,7 +5,6 @@ from contextlib import AbstractContextManager
 
 from onika.desk.environment.outcome.outcome import Simulator
 from onika.desk.run.launched_runtime import LaunchedRuntime
-from onika.desk.run.remote_runtime import connect
 from onika.desk.run.runtime_conversation import RuntimeConversation
 
 _AS_WALL_TIME = ("--scale", "1")
@@ -39,6 +38,10 @@ class RuntimeLauncher:
     ) -> AbstractContextManager[RuntimeConversation]:
         """A runtime; raises ValueError for what is no address, LinkLost where no token is to be had."""
         if url:
+            from onika.desk.run.remote_runtime import (
+                connect,  # within: it brings along all that speaks to other machines
+            )
+
             return connect(url, token)
         if simulator is not None:
             options = (*_AS_WALL_TIME, *simulator.options)
