@@ -37,7 +37,7 @@ def test_a_script_may_be_all_of_it(sits, tmp_path):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["http://127.0.0.1:7994"], "expected ws://HOST:PORT, wss://HOST:PORT or ssh://HOST"),
+        (["http://127.0.0.1:7994"], "expected ws://HOST:PORT, wss://HOST:PORT, ssh://HOST or site://HOST/NAME"),
         (["ws://example.org:7994"], "expected wss:// for another machine"),
         (["ws://127.0.0.1:7994", "--no-console"], "expected --script with --no-console"),
     ],

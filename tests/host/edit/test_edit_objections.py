@@ -93,7 +93,7 @@ def test_a_device_is_held_by_one_task_of_all_subsystems(hand):  # law 16
 
 @pytest.mark.parametrize(
     ("device", "expected"),
-    [("yard:m9", "a device of world yard (m0, m1, scale)"), ("nowhere:m0", "a world (boxes)")],
+    [("yard:m9", "a device of world yard (m0, m1, scale)"), ("nowhere:m0", "a world (none installed)")],
 )
 def test_a_device_that_no_world_has_is_refused(hand, device, expected):  # law 16
     hand.task("mass", MASS, frequency=500.0, local={"DEVICE": device})
