@@ -4,10 +4,18 @@ import argparse
 from types import ModuleType
 
 from onika.cli.language import say
-from onika.cli.study import design, log, replay, report
+from onika.cli.study import design, end, log, new, prepare, replay, report
 from onika.words.reason import Reason
 
-VERBS: dict[str, ModuleType] = {"design": design, "report": report, "log": log, "replay": replay}
+VERBS: dict[str, ModuleType] = {
+    "new": new,
+    "design": design,
+    "prepare": prepare,
+    "end": end,
+    "report": report,
+    "log": log,
+    "replay": replay,
+}
 """In the order in which the help shows them."""
 
 
