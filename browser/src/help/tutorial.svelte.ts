@@ -4,24 +4,28 @@ import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
-import { COURSES, isOfPuzzles, type CourseId } from './courses'
+import { COURSE_IDS, COURSES, isOfPuzzles, type CourseId } from './courses'
 import { skippedWith, type Lesson, type LessonId, type Seen } from './tutorial'
+
+/** Of each course is kept how far one is; of the first under the bare names. */
+const nameIn = (name: string, course: CourseId): string => (course === 'first' ? name : `${name}.${course}`)
+const left = COURSE_IDS.find((course) => course === kept<string>('tutorialCourse', 'first')) ?? 'first'
 
 /** What was skipped counts as passed, but gets no tick. */
 export const tutorial: { isOpen: boolean; course: CourseId; done: number; skipped: readonly LessonId[] } = $state({
   isOpen: kept('tutorialOpen', false),
-  course: 'first',
-  done: kept('tutorial', 0),
-  skipped: kept<LessonId[]>('tutorialSkipped', []),
+  course: left,
+  done: kept(nameIn('tutorial', left), 0),
+  skipped: kept<LessonId[]>(nameIn('tutorialSkipped', left), []),
 })
 
-/** Of each course is kept how far one is; of the first under the bare names. */
-const kindOf = (name: string): string => (tutorial.course === 'first' ? name : `${name}.${tutorial.course}`)
+const kindOf = (name: string): string => nameIn(name, tutorial.course)
 export const lessons = (): readonly Lesson[] => COURSES[tutorial.course]
 
 /** Go on in another course where it was left. */
 export function choose(course: CourseId): void {
   tutorial.course = course
+  keep('tutorialCourse', course)
   tutorial.done = kept(kindOf('tutorial'), 0)
   tutorial.skipped = kept<LessonId[]>(kindOf('tutorialSkipped'), [])
 }

@@ -10,16 +10,14 @@ pytestmark = pytest.mark.page
 
 @pytest.fixture(scope="module")
 def program(begin):
-    return begin()
+    return begin("--upper")
 
 
 @pytest.fixture
 def user(program, page):
     """Somebody who has opened the puzzles."""
     page.goto(program.address())
-    page.keyboard.press("Control+k")
-    page.get_by_role("combobox", name="All commands").fill("puzzles")
-    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Puzzles", exact=True).click()
     return page
 
 
