@@ -81,3 +81,8 @@ def test_a_reply_is_read_as_it_was_written(kind, data):  # R-H08
     if content is not None and "holder" not in str(content):
         assert content["station"] == "b" and content["to"] == "Prepare"
         assert reply_of(json.loads(msgspec.json.encode(content))["reply"]) == message
+
+
+def test_what_a_page_only_looks_at_is_not_written(record):  # R-H08
+    assert record.of_message("", "Scene", request.Done()) is None
+    assert record.of_message("", "Prepare", request.Done()) is not None

@@ -26,7 +26,9 @@ LABS = "{labs}"
 
 _SECRET = frozenset(("token", "secret", "user"))
 _USER_IN_ADDRESS = re.compile(r"(?<=://)[^/@\s\"]+@")
-_UNHEARD = frozenset(("Push", "Sample", "Sessions", "Book", "ExtendBooking", "CancelBooking", "Bookings", "Listen"))
+_UNHEARD = frozenset(
+    ("Push", "Sample", "Scene", "Sessions", "Book", "ExtendBooking", "CancelBooking", "Bookings", "Listen")
+)
 """Requests whose answers no document depends on: what a page looks at, who is there, for whom a robot is booked."""
 _OF_OTHERS = (event.Company, event.SlotEnds, BookingList)
 _HOLDERS = frozenset(("holder", "to"))
