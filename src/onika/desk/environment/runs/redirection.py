@@ -77,6 +77,9 @@ def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Se
         flow: tuple(WorldSeatView(seat.world, seat.taken_by) for seat in some)
         for flow, some in world_redirection.world_seats(prepared.plan, opened.redirects).items()
     }
+    known = model.runtime.world_kinds
+    of_files = {files.world: True for files in prepared.plan.worlds if files.world not in known}
+    model = with_kinds(model, of_files)  # before a runtime has been asked: such worlds are always simulated
     if len(flows) < 2:
         return Done(model, value=SeatsView(flows, worlds))
     return Done(model, value=SeatsView({"": _everywhere(flows), **flows}, {"": _worlds_everywhere(worlds), **worlds}))
