@@ -37,6 +37,7 @@ def test_two_learners_have_a_page_of_their_own_and_the_board_shows_who_is_where(
 
 def test_nobody_reaches_the_seat_of_another(school):  # R-X25
     eve, ana = school.joined("Eve"), school.browser()
+    school.joined("Ana")
     assert ana.join(school.code, "Ana") == 409
     rows = school.teacher.board()
     assert school.teacher.follow(f"{school.address}board/watch/{rows['Ana']['seat']}") == 200
@@ -54,8 +55,9 @@ def test_nobody_reaches_the_seat_of_another(school):  # R-X25
 
 
 def test_what_a_learner_opens_or_saves_stays_within_his_seat(school):  # R-X25
+    school.joined("Ana")
     eve = school.joined("Mallory")
-    target = school.folder / "seats" / "01" / "home" / "onika" / "appl" / "go_home.appl"
+    target = school.folder / "seats" / f"{school.seat('Ana'):02}" / "home" / "onika" / "appl" / "go_home.appl"
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text("theirs")
     with eve.talk() as socket:
@@ -73,24 +75,24 @@ def test_what_a_learner_opens_or_saves_stays_within_his_seat(school):  # R-X25
 
 
 def test_a_frozen_seat_can_be_stopped_only_and_a_taken_one_is_the_teachers(school):  # R-X25
-    school.teacher.wish("return", 1)
     ana = school.joined("Ana")
-    assert school.teacher.follow(f"{school.address}board/watch/1") == 200
+    seat = school.seat("Ana")
+    assert school.teacher.follow(f"{school.address}board/watch/{seat}") == 200
     with ana.talk() as learner, school.teacher.talk() as teacher:
         doc = next(iter(first_tree(learner)["applications"]))
         edit = {"t": "NewApplication"}
         assert done(teacher, **edit)["reason"]["key"] == "class.teacher_watches"
-        assert school.teacher.wish("freeze", 1) == 204
+        assert school.teacher.wish("freeze", seat) == 204
         until(learner, lambda message: message["t"] == "Patch" and '"frozen"' in json.dumps(message))
         assert done(learner, **edit)["reason"]["key"] == "class.learner_frozen"
         assert done(learner, t="Stop")["t"] in ("Ok", "Refused")
-        school.teacher.wish("take", 1)
+        school.teacher.wish("take", seat)
         until(learner, lambda message: message["t"] == "Patch" and '"taken"' in json.dumps(message))
         assert done(learner, **edit)["reason"]["key"] == "class.learner_taken"
         assert done(teacher, **edit)["t"] == "Ok"
-        school.teacher.wish("tell", 1, text="look here")
+        school.teacher.wish("tell", seat, text="look here")
         until(learner, lambda message: "look here" in json.dumps(message))
-        school.teacher.wish("release", 1)
+        school.teacher.wish("release", seat)
         until(learner, lambda message: message["t"] == "Patch" and "class_seat" in json.dumps(message))
         assert done(learner, **edit)["t"] == "Ok"
         rows = school.teacher.until(lambda rows: rows["Ana"]["refusal"]["key"] == "class.learner_taken")
@@ -99,29 +101,28 @@ def test_a_frozen_seat_can_be_stopped_only_and_a_taken_one_is_the_teachers(schoo
 
 
 def test_what_is_handed_in_is_graded(school):  # R-X25
-    ben = school.browser()
-    school.teacher.wish("return", 2)
-    assert ben.join(school.code, "Ben") == 200
+    ana, ben = school.joined("Ana"), school.joined("Ben")
+    seats = [school.seat(name) for name in ("Ana", "Ben")]
+    before = school.teacher.board()["Ana"]["handed_in"]
+    assert ana
     assert ben.hand_in() == 204
     rows = school.teacher.until(lambda rows: rows["Ben"]["expectations"] or rows["Ben"]["grade_why"]["text"])
     assert [(one["text"], one["holds"]) for one in rows["Ben"]["expectations"]] == [("Q_MEZ[0] > -9", True)], rows[
         "Ben"
     ]
-    school.teacher.wish("collect", 1)
-    school.teacher.until(lambda rows: rows["Ana"]["handed_in"] >= 1)
-    assert (school.folder / "handed-in" / "02 Ben" / "0001" / "appl" / "go_home.appl").is_file()
+    school.teacher.wish("collect", seats[0])
+    school.teacher.until(lambda rows: rows["Ana"]["handed_in"] > before)
+    assert (school.folder / "handed-in" / f"{seats[1]:02} Ben" / "0001" / "appl" / "go_home.appl").is_file()
 
 
 def test_a_seat_that_floods_or_is_ended_harms_no_other(school):  # R-X25
-    school.teacher.wish("return", 1)
-    school.teacher.wish("return", 2)
     ana, ben = school.joined("Ana"), school.joined("Ben")
     with ana.talk() as one, ben.talk() as two:
         first_tree(two)
         for number in range(3000):
             one.send(json.dumps({"cid": number, "act": {"t": "Undo", "doc": "a1"}}))
         assert done(two, t="NewApplication")["t"] == "Ok"
-        assert school.teacher.wish("restart", 1) == 204
+        assert school.teacher.wish("restart", school.seat("Ana")) == 204
         rows = school.teacher.board()
         assert (rows["Ana"]["process"], rows["Ana"]["ended"]["key"]) == ("off", "class.ended_by_teacher")
         assert rows["Ben"]["process"] == "there"
@@ -157,6 +158,6 @@ def test_a_class_that_is_opened_again_knows_its_learners_and_nothing_of_it_is_le
         with new.talk() as socket:
             tree = first_tree(socket)
             assert tree["class_seat"]["state"] == "frozen"
-            assert any(app["is_dirty"] for app in tree["applications"].values())
+            assert any(app.get("is_dirty") for app in tree["applications"].values())
     finally:
         assert again.end() in (0, 130)

@@ -21,7 +21,7 @@ LOOK_S = 2.0
 """Between two looks at what the seats cost."""
 IDLE_S = 20 * 60.0
 """A seat whose page nobody has open for so long ends; what was not saved is kept."""
-_LEAVE_S = 8.0
+_LEAVE_S = 30.0
 _MOST_HAND_INS = 10
 """Of one learner that are kept; older ones go."""
 

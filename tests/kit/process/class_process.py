@@ -117,10 +117,17 @@ class ClassProcess:
         return ClassBrowser(self.address)
 
     def joined(self, name: str) -> ClassBrowser:
-        """One that has come to a seat."""
+        """One that has come to a seat; whoever was there before has let him in again."""
         browser = self.browser()
+        if name in self.teacher.board():
+            self.teacher.wish("return", self.seat(name))
         assert browser.join(self.code, name) == 200
         return browser
+
+    def seat(self, name: str) -> int:
+        """The seat of a learner."""
+        seat: int = self.teacher.board()[name]["seat"]
+        return seat
 
     def end(self) -> int:
         """Ctrl-C; its exit code."""
