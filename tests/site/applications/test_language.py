@@ -98,6 +98,7 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     planned = prepare_run("wave_on", open_site([], {}, None))
     server = OpenGate()
     driver = VirtualDriver(("rt0",), server.tell)
+    driver.offer(planned.plan.worlds)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.applications.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.applications.begin("me", request.Begin())
