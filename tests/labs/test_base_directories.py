@@ -24,6 +24,7 @@ SPEED = 0.6 * puma560.QDMAX  # LOCAL SPEED of jtraj
 TRIGGERS = {
     *("carc", "button", "jdrive", "jjog", "jpath", "jplay", "jpoly", "jramp", "jruckig", "teach", "track"),
     *("choose", "counter", "sorter", "when"),
+    *("expert_chooses", "expert_judges", "expert_learns", "expert_reports"),
     "jtraj",
     "jvia",
     "ctraj",
@@ -93,6 +94,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
         *("File name object", "Index object", "Picture point object", "Number object", "Level object"),
         *("Relative object", "Guarded object", "Single joint object", "Single polynomial object"),
         *("Signal level object", "Folder object", "Choice object", "Gripper object", "Place object"),
+        "Goal object",
     }
     for target in targets:
         for action in ("job", "application"):
@@ -102,7 +104,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
 def test_edges_differ_by_shape_and_by_colour():  # R-X11
     speaking = [edge for edge in SYNTAX.edges if edge.number > 1]
     assert len({edge.vertices for edge in SYNTAX.edges}) == len(SYNTAX.edges)
-    assert len({edge.rgb for edge in speaking}) == len(speaking) == 19
+    assert len({edge.rgb for edge in speaking}) == len(speaking) == 20
     for edge in SYNTAX.edges[1:]:
         assert np.sum(edge.vertices, axis=0).tolist() == [0, 32], "an edge ends below where it began"
 
