@@ -131,7 +131,7 @@ def test_axes_publish_their_limits_and_take_joint_targets_within_them():  # R-X1
 @pytest.mark.parametrize("name", sorted(ARMS))
 def test_an_arm_without_forces_takes_its_constants_from_its_device_too(name):  # R-K03
     arm = ARMS[name]
-    device = BenchDevice([f"q{k}" for k in range(arm.n)], [f"r{k}" for k in range(arm.n)], arm.identity("position"))
+    device = BenchDevice([f"q{k}" for k in range(arm.n)], [f"r{k}" for k in range(arm.n)], arm.identity("posture"))
     bench = Bench(GENERIC / "arm_kin.py", frequency=500, device=device).init()
     assert bench.state is State.OFF, bench.why
     assert np.array_equal(bench["SCREW"], arm.constants["SCREW"]) and bench["KP"].tolist() == [0.0] * arm.n
