@@ -10,7 +10,7 @@ def sweeps(monkeypatch, tmp_path):
     """What each sweep was asked for; runs of a seed in `bad` fall, and it is broken off at the seed `ends_at`."""
     monkeypatch.chdir(tmp_path)
 
-    def sweep(design, cases, site, jobs):
+    def sweep(design, prepared, cases, site, jobs):
         for case in cases:
             if case.seed == sweep.ends_at:
                 raise KeyboardInterrupt

@@ -56,6 +56,7 @@ def test_the_library_says_what_there_is_to_use(sit):
     jobs = [
         "jmoveC",
         "jmove_gantryC",
+        "jmove_hillC",
         "jmove_learntC",
         "jmove_modular3C",
         "jmove_modular4C",

@@ -85,7 +85,8 @@ def test_a_log_cut_anywhere_is_read_up_to_there(data):  # R-H08
     whole = [each.place for each in read_lines if each.record and each.place >= 0]
     assert whole == list(range(len(whole)))
     ends = {sum(len(each) + 1 for each in lines[:count]) for count in range(1, 5)}
-    assert faults or cut in ends or cut + 1 in ends
+    is_bare = text[:cut].count("\t") == 6  # seven columns and nothing behind: it reads as a log of the source's form
+    assert faults or cut in ends or cut + 1 in ends or (is_bare and not whole)
 
 
 @given(st.text(max_size=200))
