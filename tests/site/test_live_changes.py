@@ -9,6 +9,7 @@ import pytest
 
 from kit.plans.plan_builder import PlanBuilder
 from kit.runtime.live_edits import COUNTER, SOURCE, USER
+from kit.worlds.box_cells import boxes_files
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.wire import event, live, request
 from onika.wire.runtime_standing import Standing
@@ -270,7 +271,8 @@ def test_a_module_that_prints_megabytes_holds_nobody_up(bench):  # law 30
 def test_a_device_is_not_driven_on_with_what_a_task_of_another_unit_wrote_that_has_failed(bench, act):  # laws 4, 30
     bench.shop.task("hand", HAND, frequency=250.0, rtpu="rt0", local={"DEVICE": "boxes:gripper_left"})
     bench.shop.task("grip", GRIP.format(act=act), frequency=100.0, rtpu="rt1")
-    assert bench.change(("hand", "grip"), ("hand", "grip"), subsystem="s1") == ""
+    worlds = (boxes_files(),)
+    assert bench.change(("hand", "grip"), ("hand", "grip"), subsystem="s1", worlds=worlds) == ""
     (failed,) = bench.until(event.Failed, lambda failed: failed.task == "hand")
     state = "ERROR" if "raise" in act else "KILLED"
     assert f"task grip, which wrote GRIP, is {state}: the device is not driven on with that" in str(failed.text)

@@ -16,6 +16,7 @@ from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.world_channel import WorldChannel
 from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.wire import act
@@ -74,7 +75,9 @@ class Page:
         self.station = RuntimeThread(launching, self.things.put)
         syntax, _ = site.syntax()
         model = Model(OpenLibraries(open_libraries(site.directories)), syntax=syntax)
-        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
+        self.environment = Environment(
+            model, HANDLERS, Services(site, time.monotonic), WorldChannel(self.station, site)
+        )
         self.environment.listeners.append(self)
         self.station.begin(self.environment)
         self.values = {}

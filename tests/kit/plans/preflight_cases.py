@@ -138,7 +138,7 @@ PLANTED: dict[str, tuple[MakeProgram, tuple[str, ...], Collection[str]]] = {
     "forces behind none": (
         own("p", lined(POSE), puma_kin={"DEVICE": "boxes:arm_left"}),
         ("puma=puma_kin",),
-        ["expected the robot puma560_kin behind the device"],
+        ["expected a device that is driven by posture, found one driven by torque"],
     ),
     "elsewhere": (own("p", lined(POSE), puma={"BASE": "0.1 0 0 0"}), (), ["expected frame 0 of the robot at"]),
     "no sensor": (own("p", lined(POSE), led_monitor={"DEVICE": "boxes:bulb"}), (), ["found DEVICE boxes:bulb"]),
