@@ -8,6 +8,7 @@ import pytest
 from websockets.sync.client import connect
 
 from kit.labs.laboratory import Laboratory, job
+from onika.desk.environment.file.recovery import Recovery
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
@@ -114,6 +115,31 @@ def test_what_is_not_saved_is_there_the_next_time(tmp_path):
         (document,) = [document for document in snapshot(browser)["documents"].values() if document.get("tasks")]
         assert document["tasks"]["a"]["x"] == 10
         assert document["is_dirty"]
+
+
+def test_what_is_being_written_at_the_end_is_there_the_next_time(tmp_path, monkeypatch):
+    writes, leaves = Recovery.carry_out, Recovery.leave
+    begun, left = threading.Event(), threading.Event()
+
+    def slowly(self, changes):
+        if changes:
+            begun.set()
+            left.wait(0.5)  # an end that does not wait for a slow disk is over by then
+        return writes(self, changes)
+
+    def leave(self, *, keeps=False):
+        leaves(self, keeps=keeps)
+        left.set()
+
+    monkeypatch.setattr(Recovery, "carry_out", slowly)
+    monkeypatch.setattr(Recovery, "leave", leave)
+    with Running(tmp_path) as program:
+        with program.browser() as browser:
+            doc = next(iter(snapshot(browser)["documents"]))
+            send(browser, t="Place", doc=doc, task="a", x=10, y=20)
+        assert begun.wait(30)
+    with Running(tmp_path) as program, program.browser() as browser:
+        assert [document for document in snapshot(browser)["documents"].values() if document.get("tasks")]
 
 
 def test_what_was_discarded_is_not(tmp_path):

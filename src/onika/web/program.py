@@ -4,7 +4,7 @@ import asyncio
 import os
 import socket
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -12,7 +12,7 @@ from pathlib import Path
 from onika.desk.environment import initial_model, preferences as preferring, refresh
 from onika.desk.environment.diary import Diary
 from onika.desk.environment.environment import ActAnswer, Environment
-from onika.desk.environment.file.autosave import Autosave
+from onika.desk.environment.file.autosave import Autosave, UnsavedChange
 from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.handlers import HANDLERS
@@ -293,11 +293,21 @@ class EnvironmentProgram:
             now = time.monotonic()
             autosave.look(environment.model, now)
             changes = autosave.take(now)
-            why = await asyncio.to_thread(kept.carry_out, changes) if changes else NOTHING
+            why = await _finished(kept.carry_out, changes) if changes else NOTHING
             if why and not is_reported:
                 is_reported = True
                 environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=why)))
             await asyncio.sleep(_KEEP_S)
+
+
+async def _finished(carry_out: Callable[[Sequence[UnsavedChange]], Reason], changes: Sequence[UnsavedChange]) -> Reason:
+    """Done in a thread, and waited for also by whoever is cancelled meanwhile: what counts as kept is on the disk."""
+    writing = asyncio.ensure_future(asyncio.to_thread(carry_out, changes))
+    try:
+        return await asyncio.shield(writing)
+    except asyncio.CancelledError:
+        await asyncio.wait((writing,))
+        raise
 
 
 def _opening(listening: socket.socket, on_ready: Callable[[str], None], place: PagePlace | None) -> DoorOpening:

@@ -41,7 +41,10 @@ async def serve(
     on_ready: Callable[[], None],
     context: ssl.SSLContext | None = None,
 ) -> None:
-    """Serve until Ctrl-C, or until one of what runs `beside` ends; raises what it raised. With `context` over TLS."""
+    """Serve until Ctrl-C, or until one of what runs `beside` ends; raises what it raised. With `context` over TLS.
+
+    At the end all that runs beside is cancelled, and has ended when this returns: what it has begun it may finish.
+    """
     config = uvicorn.Config(
         app,
         log_level="warning",
@@ -63,13 +66,17 @@ async def serve(
     if context is not None:
         others.append(asyncio.ensure_future(TlsDoor(listening, context, _protocols(server)).keep()))
     on_ready()
-    await asyncio.wait((serving, *others), return_when=asyncio.FIRST_COMPLETED)
-    server.should_exit = True
-    await serving
+    try:
+        await asyncio.wait((serving, *others), return_when=asyncio.FIRST_COMPLETED)
+        server.should_exit = True
+        await serving
+    finally:
+        for other in others:
+            other.cancel()
+        await asyncio.wait(others)
     for other in others:
-        if other.done():
+        if not other.cancelled():
             other.result()
-        other.cancel()
 
 
 def _protocols(server: uvicorn.Server) -> Callable[[], asyncio.Protocol]:
