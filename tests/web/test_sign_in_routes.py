@@ -204,7 +204,7 @@ def test_requests_without_end_are_cut(served_to_others, request_bytes):  # R-F10
 
 
 def test_a_form_that_never_ends_takes_nobodys_time(served_to_others, monkeypatch):  # slow requests
-    monkeypatch.setattr("onika.web.sign_in_routes._PATIENCE_S", 0.2)
+    monkeypatch.setattr("onika.web.sent_form._PATIENCE_S", 0.2)
     host = served_to_others.address.encode()
     head = b"POST /sign-in HTTP/1.1\r\nHost: %s\r\nOrigin: https://%s\r\n" % (host, host)
     head += b"Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 100\r\n\r\nname="

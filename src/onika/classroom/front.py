@@ -4,17 +4,15 @@ Whoever knows the code of the class, and says a name that nobody has yet, gets a
 key that was printed where the class was begun. Nothing of a seat passes through here but the way to it.
 """
 
-import asyncio
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from time import monotonic_ns
 from typing import Any
-from urllib.parse import parse_qs
 
 import msgspec
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
-from starlette.requests import ClientDisconnect, Request
+from starlette.requests import Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
@@ -28,12 +26,10 @@ from onika.web.access.wrong_tries import WrongTries
 from onika.web.headers import StrictHeaders
 from onika.web.login import Login
 from onika.web.refused_request import language_of, refused
+from onika.web.sent_form import sent_body, sent_form
 from onika.wire.class_board import TeacherAct
 from onika.words.reason import Reason
 
-_LONGEST = 4096
-_PATIENCE_S = 10.0
-_FORM = "application/x-www-form-urlencoded"
 _JSON = "application/json"
 
 
@@ -105,7 +101,7 @@ class ClassFront:
         why = self._stranger(request, is_form=True)
         if why is not None:
             return why
-        form = await _form(request)
+        form = await sent_form(request, "code", "name")
         if form is None:
             return refused(request, Reason.of("desk.no_form"), 400)
         code, name = form
@@ -184,8 +180,8 @@ class ClassFront:
         if why is not None:
             return why
         try:
-            wish = _ACTS.decode(await asyncio.wait_for(_body(request), _PATIENCE_S))
-        except (ClientDisconnect, TimeoutError, ValueError):
+            wish = _ACTS.decode(await sent_body(request) or b"")
+        except ValueError:
             return refused(request, Reason.of("desk.no_form"), 400)
         await self._do(wish)
         return Response(status_code=204)
@@ -245,29 +241,6 @@ def _page(request: Request, html: str, status: int = 200) -> Response:
         "referrer-policy": "same-origin",  # with none at all browsers say of a form that it comes from `null`
     }
     return HTMLResponse(html, status, headers)
-
-
-async def _form(request: Request) -> tuple[str, str] | None:
-    """Code and name of a form; None: it is none, is too large or does not come."""
-    if request.headers.get("content-type", "").partition(";")[0].strip().lower() != _FORM:
-        return None
-    try:
-        body = await asyncio.wait_for(_body(request), _PATIENCE_S)
-        fields = parse_qs(body.decode("ascii"), strict_parsing=True, max_num_fields=4, keep_blank_values=True)
-    except (ClientDisconnect, TimeoutError, ValueError):
-        return None
-    codes, names = fields.get("code", []), fields.get("name", [])
-    return (codes[0], names[0]) if len(codes) == len(names) == 1 else None
-
-
-async def _body(request: Request) -> bytes:
-    """The whole body; raises ValueError as soon as it is too large."""
-    body = b""
-    async for piece in request.stream():
-        body += piece
-        if len(body) > _LONGEST:
-            raise ValueError(len(body))
-    return body
 
 
 async def _nothing_there(request: Request, _exception: Exception) -> Response:

@@ -1,10 +1,8 @@
 """The ways to sign in and out: forms that only a page of ours may send (requirement F10)."""
 
-import asyncio
 from collections.abc import Callable
-from urllib.parse import parse_qs
 
-from starlette.requests import ClientDisconnect, Request
+from starlette.requests import Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 from starlette.routing import Route
 
@@ -12,13 +10,9 @@ from onika.web.access.form_page import POLICY
 from onika.web.access.sign_in import SignIn
 from onika.web.access.sign_in_page import sign_in_page
 from onika.web.refused_request import language_of, refused
+from onika.web.sent_form import sent_form
 from onika.words.reason import NOTHING, Reason
 
-_LONGEST = 4096
-"""Bytes of a form."""
-_PATIENCE_S = 10.0
-"""How long a form may take to come."""
-_FORM = "application/x-www-form-urlencoded"
 _STATUS = {"desk.sign_in_wait": 429, "desk.sign_in_busy": 503}
 
 
@@ -31,10 +25,11 @@ def sign_in_routes(entrance: SignIn, end: Callable[[str], None]) -> list[Route]:
         why = _foreign(entrance, request)
         if why is not None:
             return why
-        form = await _form(request)
+        form = await sent_form(request, "name", "password")
         if form is None:
             return refused(request, Reason.of("desk.no_form"), 400)
-        token, reason = await entrance.enter(*form, request.client.host if request.client else "")
+        name, password = form
+        token, reason = await entrance.enter(name, password, request.client.host if request.client else "")
         if not token:
             return asked(request, reason, _STATUS.get(reason.key, 401))
         _leave(request)
@@ -78,26 +73,3 @@ def _foreign(entrance: SignIn, request: Request) -> Response | None:
     if not entrance.is_own_page(request.headers):
         return refused(request, Reason.of("desk.foreign_page"), 403)
     return None
-
-
-async def _form(request: Request) -> tuple[str, str] | None:
-    """Name and password of a form; None: it is none, is too large or does not come."""
-    if request.headers.get("content-type", "").partition(";")[0].strip().lower() != _FORM:
-        return None
-    try:
-        body = await asyncio.wait_for(_body(request), _PATIENCE_S)
-        fields = parse_qs(body.decode("ascii"), strict_parsing=True, max_num_fields=4, errors="strict")
-    except (ClientDisconnect, TimeoutError, ValueError):
-        return None
-    names, passwords = fields.get("name", []), fields.get("password", [])
-    return (names[0], passwords[0]) if len(names) == len(passwords) == 1 else None
-
-
-async def _body(request: Request) -> bytes:
-    """The whole body; raises ValueError as soon as it is too large."""
-    body = b""
-    async for piece in request.stream():
-        body += piece
-        if len(body) > _LONGEST:
-            raise ValueError(len(body))
-    return body
