@@ -66,6 +66,27 @@ def test_a_torque_device_falls_while_it_is_driven_and_is_a_servo_while_it_holds(
     assert world.state("stiff_left")[3] > held[3] + 1e-4
 
 
+def pushed(*commands):
+    """What a torque device says after these commands, one in each step."""
+    world = FileWorld(files_of())
+    world.claim("stiff_left", 1)
+    for values in commands:
+        world.command("stiff_left", 1, DeviceOrder.DRIVE, values)
+        world.step(world.now_ns + world.step_ns)
+    return world.state("stiff_left").tolist()
+
+
+def test_torques_come_as_memory_or_as_a_list_and_do_the_same():  # law 16
+    torques = [np.array([0.1 * k, -0.2, 0.3]) for k in range(20)]
+    assert pushed(*[values.data for values in torques]) == pushed(*[values.tolist() for values in torques])
+
+
+def test_torques_in_memory_that_are_no_numbers_trip_it():  # R-F01
+    still, spoilt = np.zeros(3).data, np.array([0.0, np.inf, -np.inf]).data
+    assert pushed(still, spoilt)[1] == DriveState.TRIPPED
+    assert pushed(still, np.full(3, 1e308).data)[1] == DriveState.DRIVEN  # their sum is no number, each of them is
+
+
 def test_a_velocity_device_adds_up_its_speeds():  # R-X19
     robot = CELL["robot/elbow.robot"].replace("HOME", "DRIVE velocity\nHOME")
     world = FileWorld(files_of({**CELL, "robot/elbow.robot": robot}))

@@ -7,8 +7,9 @@
 Holding, it stays where it was told to be last, a torque device where it then is.
 """
 
+import math
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -21,12 +22,23 @@ from onika.workcell.composed.joint_facts import JointFacts
 from onika.workcell.composed.robot_unit import FORCELESS, RobotUnit
 from onika.workcell.composed.servo import limit, make_motor, make_servo
 from onika.workcell.plant import Plant
+from onika.workcell.unit import row_of
 
 _COMMANDS = {"position": ("q", "v"), "velocity": ("v",), "torque": ("tau",)}
 """What a command consists of, for each joint."""
 
 
 _POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
+
+
+class _Rows(NamedTuple):
+    """Views on what a plant knows of joints and motors that stand side by side there, as those of a chain do."""
+
+    places: Any
+    speeds: Any
+    driven: Array
+    borne: Array
+    signals: Any
 
 
 class JointUnit(RobotUnit):
@@ -47,6 +59,7 @@ class JointUnit(RobotUnit):
         self._rate = np.zeros(self._count)
         self._is_motor = False
         self._data: Any = None
+        self._rows: _Rows | None = None
         self.state[2 : 2 + self._count] = facts.home
 
     def _published(self) -> tuple[str, ...]:
@@ -94,11 +107,15 @@ class JointUnit(RobotUnit):
         self._v_at = np.array([int(joint.dofadr[0]) for joint in joints])
         self._motors = np.array([int(model.actuator(self._prefix + name).id) for name in facts.actuators])
         self._bodies = _moved(model, int(joints[0].bodyid[0]))
+        self._rows = _rows(plant.data, self._q_at, self._v_at, self._motors)
         limit(model, self._motors, facts.torque)
         self._be_motor(facts.drive == "torque" and self.drive.mode is DriveMode.DRIVEN)
 
     def follow(self, values: Sequence[float] | Array) -> bool:
         """As the device's kind says; what is not finite changes nothing."""
+        if self._is_motor and self._rows is not None and type(values) is memoryview and math.isfinite(sum(values)):
+            self._rows.signals[:] = values  # as nearly always: an arm by torques, while it is driven
+            return True
         wanted = np.array(values, dtype=np.float64).reshape(-1, self._count)
         if not np.isfinite(wanted).all():
             return False
@@ -140,7 +157,14 @@ class JointUnit(RobotUnit):
 
     def refresh(self, time: float) -> None:
         """Joint values, speeds, and what the drive does to them: its torque, and the weight that it bears."""
-        count, state, data = self._count, self.state, self._data
+        count, state, data, rows = self._count, self.state, self._data, self._rows
+        if rows is not None:
+            row = self.row
+            row[0] = time
+            row[2 : 2 + count] = rows.places
+            row[2 + count : 2 + 2 * count] = rows.speeds
+            np.add(rows.driven, rows.borne, out=state[2 + 2 * count :])
+            return
         state[0] = time
         state[2 : 2 + count] = data.qpos[self._q_at]
         state[2 + count : 2 + 2 * count] = data.qvel[self._v_at]
@@ -203,6 +227,16 @@ class KinematicJointUnit(JointUnit):
         """Joint values."""
         self.state[0] = time
         self.state[2:] = self._data.qpos[self._q_at]
+
+
+def _rows(data: Any, q_at: Array, v_at: Array, motors: Array) -> _Rows | None:
+    """The views; None where something else stands in between."""
+    if any((np.diff(numbers) != 1).any() for numbers in (q_at, v_at, motors)):
+        return None
+    q, v, m = (slice(int(numbers[0]), int(numbers[-1]) + 1) for numbers in (q_at, v_at, motors))
+    return _Rows(
+        row_of(data.qpos[q]), row_of(data.qvel[v]), data.qfrc_actuator[v], data.qfrc_gravcomp[v], row_of(data.ctrl[m])
+    )
 
 
 def _moved(model: Any, first: int) -> Array:
