@@ -160,11 +160,11 @@ class FaultyDriver(LossyDriver):
             self.send(unit, command.Fail(Reason.of("host.the_device_server")))
         self.lost("", Reason.of("host.the_device_server"), self.now)
 
-    def _step_worlds(self, now: int) -> None:
+    def _step_worlds(self, now: int) -> bool:
         if self._stand:
             self._now, self.turn = now, 0
-        else:
-            super()._step_worlds(now)
+            return False
+        return super()._step_worlds(now)
 
     def is_at_rest(self) -> bool:
         """As the clock says; worlds that stand make no step."""

@@ -31,6 +31,13 @@ def test_tasks_that_stay_the_same_come_to_be_swept_and_miss_nothing():
     assert rig.executive.next_release() == 51 * MS
 
 
+def test_when_nothing_but_a_sweep_is_due_is_known_beforehand():
+    rig = rig_of_three().run(0)
+    assert rig.executive.sweeps_at() is None
+    assert rig.run(50 * MS).executive.sweeps_at() == 51 * MS
+    assert rig.do(command.Report()).executive.sweeps_at() is None
+
+
 def test_each_rate_is_a_sweep_of_its_own_in_the_order_of_deadlines():  # law 1
     rig = rig_of_three()
     rig.do(command.Switch(HOME, (), (), (), (("two", 500.0),))).run(20 * MS)

@@ -14,14 +14,15 @@ class Digest:
 
     def __init__(self, now: int = 0) -> None:
         self._hash = hashlib.sha256()
-        self._look_at = now
+        self.look_at = now
+        """When it is time to look at the worlds."""
         self.outside: set[str] = set()
         """The tasks that had to do with the outside: with them no run repeats."""
 
     def look(self, now: int, worlds: Iterable[World]) -> None:
         """Take in the worlds as they stand, if it is time."""
-        if now >= self._look_at:
-            self._look_at = now + _LOOKED_EVERY_NS
+        if now >= self.look_at:
+            self.look_at = now + _LOOKED_EVERY_NS
             for world in worlds:
                 self._hash.update(world.fingerprint())
 

@@ -208,6 +208,8 @@ class VirtualDriver:
                 return False
             if self._commands:
                 self._deliver()
+            elif self._realtime_factor is None and self._executive.sweeps_at() is not None:
+                self._sweep_on(listener, until)
             if monotonic_ns() > until:
                 return True
         return False
@@ -310,16 +312,39 @@ class VirtualDriver:
             listener.tick(now)
             self._deliver()
         self._take_events()
+        self._run_due(now)
+        return True
+
+    def _sweep_on(self, listener: UnitListener, until: int) -> None:
+        """As `_instant` again and again, as long as nothing is due but sweeps and nobody has anything to say."""
+        executive, wake = self._executive, listener.wake_at()
+        if listener.is_hurried or not listener.is_moving or executive.speaks or executive.events():
+            return
+        end = self._now + _LONGEST_STEP_NS
+        if wake is not None:
+            end = min(end, wake)
+        now, is_quiet = executive.sweeps_at(), True
+        while is_quiet and now is not None and now < end and monotonic_ns() <= until:
+            is_quiet = not self._step_worlds(now)
+            if now >= self._digest.look_at:
+                self._digest.look(now, self._buses.worlds)
+            is_quiet = self._run_due(now) and is_quiet
+            now = executive.sweeps_at()
+
+    def _run_due(self, now: int) -> bool:
+        """Everything that is due at this instant; whether nothing came of it."""
+        is_quiet = True
         for _ in range(_ROUNDS):
             run_due = self._executive.run_due(now, _AT_ONCE)
             if run_due is None:
                 break
+            is_quiet = False
             self._hear(run_due)
             self._deliver()
         self.turn += 1
         for look in self._looks:
             look()
-        return True
+        return is_quiet
 
     def _answered(self, until: int) -> bool:
         """Whether no outside partner owes an answer; waits for it up to this time of the wall. The clock stands."""
@@ -346,9 +371,10 @@ class VirtualDriver:
                 self._hear(self._executive.event(events[descriptor], self._now))
                 self._deliver()
 
-    def _step_worlds(self, now: int) -> None:
+    def _step_worlds(self, now: int) -> bool:
+        """Whether something was told of them."""
         self._now, self.turn = now, 0
-        self._buses.step(now)
+        return self._buses.step(now)
 
     def _deliver(self) -> None:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""

@@ -139,11 +139,13 @@ class Buses:
         """What does not stand where it stood at the start, by world."""
         return {name: bus.displaced() for name, bus in self._buses.items()}
 
-    def step(self, now: int) -> None:
-        """All go on to this instant."""
+    def step(self, now: int) -> bool:
+        """All go on to this instant; whether something was told of them."""
+        has_news = False
         for name, bus in self._buses.items():
             bus.step(now)
-            self._tell_news(name)
+            has_news |= self._tell_news(name)
+        return has_news
 
     def step_once(self) -> None:
         """Each makes one step, so that the last commands act."""
@@ -188,8 +190,10 @@ class Buses:
             self._buses[world] = bus
         return self._buses[world]
 
-    def _tell_news(self, world: str) -> None:
-        for drive_event in self._buses[world].world.take_events():
+    def _tell_news(self, world: str) -> bool:
+        """Whether there was something to tell."""
+        drive_events = self._buses[world].world.take_events()
+        for drive_event in drive_events:
             device, state = f"{world}:{drive_event.device}", DriveState(drive_event.state).name
             self._tell(
                 event.Drive(
@@ -203,14 +207,16 @@ class Buses:
                     touches=drive_event.touches,
                 )
             )
-        if self._tell_mishap is not None:
-            self._tell_mishaps(world, self._tell_mishap)
+        has_mishaps = self._tell_mishap is not None and self._tell_mishaps(world, self._tell_mishap)
+        return bool(drive_events) or has_mishaps
 
-    def _tell_mishaps(self, world: str, tell: Callable[[event.Mishap, int], None]) -> None:
+    def _tell_mishaps(self, world: str, tell: Callable[[event.Mishap, int], None]) -> bool:
         take: Callable[[], list[MishapEvent]] = getattr(self._buses[world].world, "take_mishaps", list)
-        for mishap in take():
+        mishaps = take()
+        for mishap in mishaps:
             devices = tuple(f"{world}:{device}" for device in mishap.devices)
             tell(event.Mishap(world, mishap.text, devices, 0.0, mishap.poses, mishap.lit), mishap.at_ns)
+        return bool(mishaps)
 
 
 def _nothing() -> None:

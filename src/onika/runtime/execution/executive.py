@@ -99,6 +99,12 @@ class Executive:
             return release
         return self._appointments.next_ns if release is None else min(release, self._appointments.next_ns)
 
+    def sweeps_at(self) -> int | None:
+        """The same, where nothing but a sweep is due then."""
+        if self._groups and self._groups[0][0] < self._appointments.next_ns:
+            return self._groups[0][0]
+        return None
+
     # Cycles
 
     def run_next(self, now: int) -> Sequence[news.News] | None:

@@ -68,6 +68,8 @@ class FilmedWorld(FileWorld):
 
     def take_events(self) -> list[DriveEvent]:
         """The changes of drives since the last call, and of cameras."""
+        if not self._films:
+            return super().take_events()
         return [*super().take_events(), *(event for film in self._films for event in film.take_events())]
 
     def _more_units(self) -> Sequence[CameraUnit]:
