@@ -3,6 +3,7 @@
 import csv
 import re
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import pytest
 
@@ -40,6 +41,24 @@ def test_the_papers_have_what_the_procedure_of_the_source_asks_for():  # R-H05
     assert "one hour" in english["6-task.html"]
     assert english["8-usability.html"].count("○") == 10 * 5
     assert english["9-workload.html"].count("<td>|</td>") == 6 * 21
+
+
+LABELS = Path(__file__).parents[2] / "browser" / "src" / "texts"
+NAMED = {
+    "3-checklist": ("upper.first.new", "perform.putBack"),
+    "4-script": ("upper.first.new", "newApplication.one", "newApplication.create", "perform.putBack"),
+    "6-task": ("upper.first.new",),
+    "7-help-sheet": ("upper.first.new", "newApplication.one", "newApplication.create", "stop.name"),
+}
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_papers_call_what_is_in_the_page_by_its_labels(language):  # R-H05
+    source = "".join(path.read_text() for path in LABELS.glob(f"{language}.*.ts"))
+    labels = dict(re.findall(r"'([\w.]+)':\s+'([^'\n]*)'", source))
+    for name, keys in NAMED.items():
+        text = re.sub(r"<[^>]*>", "", papers(language)[f"{name}.html"])
+        assert [labels[key] for key in keys if labels[key] not in text] == [], name
 
 
 def test_a_kit_is_made_once_and_is_the_folder_of_a_study(tmp_path):  # R-H05

@@ -1,5 +1,7 @@
 """Sessions are readied and ended, and nothing of anybody is lost."""
 
+import fcntl
+
 import pytest
 
 from kit.study.log_text import assembly
@@ -49,6 +51,38 @@ def test_an_ended_session_is_read_by_the_report_and_nothing_is_removed(study):  
     assert (subject.name, subject.group) == ("s1", "words")
     assert end(study, "s1").key == "study.ended_already"
     assert prepare(study, "s1").key == "study.session_there"
+
+
+def test_what_the_subject_before_has_left_is_put_away_by_the_next_preparation(study):  # R-H09
+    used(prepare(study, "s1"))
+    session = prepare(study, "s2")
+    assert session.put_away == ("s1",)
+    assert (study / "logs" / "s1" / "2026-01-01T10-00-00-1.log").read_text() == assembly(4.0)
+    assert prepare(study, "s3", "both").put_away == ()
+
+
+def test_a_session_whose_page_is_open_is_neither_ended_nor_put_away(study):  # R-H09
+    session = prepare(study, "s1")
+    used(session)
+    place = session.home / ".local" / "state" / "onika" / "recovery" / "x"
+    place.mkdir(parents=True)
+    with (place / ".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        assert end(study, "s1").key == "study.session_open"
+        assert prepare(study, "s2").key == "study.session_open"
+        assert not (study / "sessions" / "s2").exists()
+    assert len(end(study, "s1")) == 1
+
+
+def test_what_the_browser_of_a_session_kept_goes_with_its_end(study):  # R-H09
+    session = prepare(study, "s1")
+    used(session)
+    profile = session.home / ".local" / "state" / "onika" / "browser"
+    profile.mkdir()
+    (profile / "History").write_text("s1 was here")
+    end(study, "s1")
+    assert not profile.exists()
+    assert (session.home / "programs" / "appl" / "mine.appl").exists()
 
 
 def test_an_end_that_was_broken_off_can_be_done_again(study):  # R-H09

@@ -19,6 +19,7 @@ from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
 from onika.web.access.certificate import fingerprint
 from onika.web.access.page_place import PageOptions, PagePlace, judged
+from onika.web.page_window import PageWindow
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 from onika.words.fault import Fault
@@ -27,6 +28,8 @@ from onika.words.reason import Reason, reason_of
 from onika.words.system_error import system_reason
 
 PORT = 8420
+PROFILE = "browser"
+"""What the browser of a window keeps, below the state directory."""
 
 
 def purpose() -> Reason:
@@ -40,6 +43,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("files", nargs="*", metavar="FILE", help=say(Reason.of("cli.page_files")))
     parser.add_argument("--port", type=int, metavar="N", help=say(Reason.of("cli.page_port", port=PORT)))
     parser.add_argument("--no-browser", action="store_true", help=say(Reason.of("cli.page_no_browser")))
+    parser.add_argument("--window", type=window, metavar="SIZE", help=say(Reason.of("cli.page_window")))
     parser.add_argument("--connect", metavar="URL", help=say(Reason.of("cli.page_connect")))
     parser.add_argument(
         "--at", action="append", default=[], type=station, metavar="NAME=URL",
@@ -98,12 +102,13 @@ def carry_out(given: argparse.Namespace) -> int:
         is_upper_only=given.upper,
         presentation=given.presentation,
     )
-    program = EnvironmentProgram(site_here(given.base), options, state_directory(os.environ))
+    state = state_directory(os.environ)
+    program = EnvironmentProgram(site_here(given.base), options, state)
     shows = not given.no_browser and has_screen()
     answers: list[str] = []
 
     def tell(address: str) -> None:
-        _tell(address, shows, is_first=not answers)
+        _tell(address, shows, given.window, state / PROFILE, is_first=not answers)
         answers.append(address)
 
     asyncio.run(program.run(listening, tell if place is None else partial(_tell_others, place), place))
@@ -155,6 +160,14 @@ def station(text: str) -> tuple[str, str]:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
+def window(text: str) -> PageWindow:
+    """The window of the page, as a word of a command line."""
+    try:
+        return PageWindow.read(text)
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+
+
 def token_file(text: str) -> tuple[str, str]:
     """A station, empty for the first one, and the token of its runtime, which stands in a file."""
     name, equals, path = text.rpartition("=")
@@ -169,11 +182,16 @@ def has_screen() -> bool:
     return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def _tell(address: str, shows: bool, is_first: bool) -> None:
+def _tell(address: str, shows: bool, wanted: PageWindow | None, profile: Path, *, is_first: bool) -> None:
     if not is_first:
         print(say(Reason.of("cli.page_next", address=address)), flush=True)
         return
     print(say(Reason.of("cli.page_open", address=address)), flush=True)
     print(say(Reason.of("cli.page_key")), flush=True)
-    if shows:
+    if wanted is not None and not (shows and wanted.open(address, profile)):
+        said = Reason.of(
+            "cli.window_by_hand", width=wanted.width, height=wanted.height, left=wanted.left, top=wanted.top
+        )
+        print(say(said), flush=True)
+    if shows and (wanted is None or not wanted.command(address, profile)):
         webbrowser.open(address)

@@ -1,9 +1,11 @@
 """A session of a study is readied and ended: every subject has a home of its own, so nothing is lost (§E.1; H09).
 
-All that Onika keeps for a user, diary, preferences, recovery and programs, lies in the home of its user. A session is
-such a home, empty at first: what the subject before has left lies in another one, untouched.
+All that Onika keeps for a user, diary, preferences, recovery and programs, lies in the home of its user, and so does
+what the browser of its window keeps. A session is such a home, empty at first: what the subject before has left lies in
+another one, untouched; its log is put away where the report reads it.
 """
 
+import fcntl
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,18 +17,23 @@ from onika.words.reason import Reason
 
 SESSIONS = "sessions"
 VARIANTS = ("pictures", "both", "words")
-_DIARY = Path(".local", "state", "onika", "diary")
+_STATE = Path(".local", "state", "onika")
+_DIARY = _STATE / "diary"
+_RUNNING = _STATE / "recovery"
+"""Whoever has the page open holds a lock in a folder of this one."""
+_BROWSER = _STATE / "browser"
 _STRANGE = frozenset("/\\\0")
 _LONGEST = 60
 
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    """The session of a subject: its home, and the variant that it gets."""
+    """The session of a subject: its home, and the variant that it gets; `put_away`: whose logs were not yet."""
 
     subject: str
     variant: str
     home: Path
+    put_away: tuple[str, ...] = ()
 
 
 def prepare(study: Path, subject: str, variant: str = "") -> Session | Reason:
@@ -41,15 +48,23 @@ def prepare(study: Path, subject: str, variant: str = "") -> Session | Reason:
     home = study / SESSIONS / subject
     if home.exists() or _logs_of(study, subject):
         return Reason.of("study.session_there", subject=subject, path=str(home))
+    put_away = _put_away(study)
+    if isinstance(put_away, Reason):
+        return put_away
     (home / "programs" / "appl").mkdir(parents=True)
-    return Session(subject, variant or listed, home.absolute())
+    return Session(subject, variant or listed, home.absolute(), put_away)
 
 
 def end(study: Path, subject: str) -> tuple[Path, ...] | Reason:
-    """End a session: its logs stand where the report reads them, its home stays. Raises OSError."""
+    """End a session: its logs stand where the report reads them, its home stays, but for what its browser kept.
+
+    Refused while its page is open: its log is not whole. Raises OSError.
+    """
     if wrong := _wrong_name(subject):
         return wrong
     home = study / SESSIONS / subject
+    if _is_open(home):
+        return Reason.of("study.session_open", subject=subject)
     diary = sorted((home / _DIARY).glob("*.log"))
     if not diary:
         return Reason.of("study.no_diary", subject=subject, path=str(home / _DIARY))
@@ -63,7 +78,36 @@ def end(study: Path, subject: str) -> tuple[Path, ...] | Reason:
     for path in diary:
         shutil.copy2(path, fresh / path.name)
     fresh.rename(place)
+    shutil.rmtree(home / _BROWSER, ignore_errors=True)
     return tuple(place / path.name for path in diary)
+
+
+def _put_away(study: Path) -> tuple[str, ...] | Reason:
+    """The logs of all sessions that were used and not ended stand where the report reads them; why not, if so."""
+    homes = sorted((study / SESSIONS).glob("*")) if (study / SESSIONS).is_dir() else []
+    left = [home for home in homes if any((home / _DIARY).glob("*.log")) and not _logs_of(study, home.name)]
+    opened = next((home.name for home in homes if _is_open(home)), "")
+    if opened:
+        return Reason.of("study.session_open", subject=opened)
+    for home in left:
+        ended = end(study, home.name)
+        if isinstance(ended, Reason):
+            return ended
+    return tuple(home.name for home in left)
+
+
+def _is_open(home: Path) -> bool:
+    """Whether somebody has the page of this home open."""
+    return any(map(_is_locked, (home / _RUNNING).glob("*/.lock")))
+
+
+def _is_locked(path: Path) -> bool:
+    with path.open("rb") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError:
+            return True
+    return False
 
 
 def _wrong_name(subject: str) -> Reason | None:

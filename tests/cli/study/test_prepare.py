@@ -1,6 +1,7 @@
 import shlex
 
 from onika.cli import main
+from onika.cli.study import prepare
 
 
 def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_path, capsys):  # R-H09
@@ -12,8 +13,21 @@ def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_p
     command = shlex.split(next(line for line in said.splitlines() if line.startswith("  env ")))
     assert f"HOME={study / 'sessions' / 's1'}" in command
     assert "XDG_STATE_HOME" in command
-    assert "choose both" in said
+    assert command[command.index("--presentation") + 1] == "both"
+    assert command[command.index("--window") + 1] == "1280x900+0+0"
     assert shlex.quote(str(study)) in said.splitlines()[-1]
+
+
+def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  # R-H09
+    study = tmp_path / "folk"
+    main(["study", "new", str(study)])
+    page = "import os, pathlib, sys; place = pathlib.Path(os.environ['HOME'], '.local/state/onika/diary')"
+    page += "; place.mkdir(parents=True); (place / 'a.log').write_text(' '.join(sys.argv[1:]))"
+    monkeypatch.setattr(prepare, "_MAIN", page)
+    assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open", "--window", "900x700"]) == 0
+    log = (study / "logs" / "s1" / "a.log").read_text()
+    assert log.startswith("page --upper --presentation words --window 900x700+0+0 --base ")
+    assert "is ended" in capfd.readouterr().out
 
 
 def test_what_cannot_be_prepared_is_refused(tmp_path, capsys):  # R-H09

@@ -1,16 +1,23 @@
 """`onika study prepare`: the session of a subject is readied (requirement H09)."""
 
 import argparse
+import os
 import shlex
+import subprocess
 import sys
 from pathlib import Path
 
 from onika.cli.language import say
-from onika.study.preparation import VARIANTS, prepare
+from onika.cli.page import window
+from onika.study.preparation import VARIANTS, Session, end, prepare
+from onika.web.page_window import PageWindow
 from onika.words.reason import Reason
 
 _KEPT = ("XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "ONIKA_LOCAL", "ONIKA_DIR")
 """What would lead out of the subject's home."""
+_MAIN = "import sys; from onika.cli import main; sys.exit(main())"
+_WINDOW = "1280x900+0+0"
+"""Dictionary, workspace and workcell stand in it side by side."""
 
 
 def purpose() -> Reason:
@@ -22,6 +29,8 @@ def describe(parser: argparse.ArgumentParser) -> None:
     """What the verb takes."""
     add_subject(parser)
     parser.add_argument("--variant", choices=VARIANTS, default="", help=say(Reason.of("cli.study_variant")))
+    parser.add_argument("--window", type=window, metavar="SIZE", help=say(Reason.of("cli.page_window")))
+    parser.add_argument("--open", action="store_true", help=say(Reason.of("cli.study_opens")))
 
 
 def add_subject(parser: argparse.ArgumentParser) -> None:
@@ -31,24 +40,56 @@ def add_subject(parser: argparse.ArgumentParser) -> None:
 
 
 def carry_out(given: argparse.Namespace) -> int:
-    """Do it, and say how the page is started; 2 where it is refused."""
+    """Do it, and start the page or say how; 2 where it is refused."""
     if not given.study.is_dir():
         return refused(Reason.of("cli.study_no_folder", path=str(given.study)))
     session = prepare(given.study, given.subject, given.variant)
     if isinstance(session, Reason):
         return refused(session)
-    unset = [word for name in _KEPT for word in ("-u", name)]
-    programs = str(session.home / "programs")
-    command = shlex.join(
-        ["env", *unset, f"HOME={session.home}", "onika", "page", "--upper", "--no-browser", "--base", programs]
-    )
+    for subject in session.put_away:
+        print(say(Reason.of("cli.study_put_away", subject=subject)))
+    words = page_words(session, given.window or PageWindow.read(_WINDOW))
+    if given.open:
+        print(say(Reason.of("cli.study_opened", subject=session.subject, variant=session.variant)), flush=True)
+        _print_steps()
+        return _carried_through(given.study, session, words)
     print(say(Reason.of("cli.study_ready", subject=session.subject, variant=session.variant)))
-    print(f"  {command}")
+    unset = [word for name in _KEPT for word in ("-u", name)]
+    print(f"  {shlex.join(['env', *unset, f'HOME={session.home}', 'onika', *words])}")
+    _print_steps()
     ending = shlex.join(["onika", "study", "end", str(given.study), session.subject])
-    print(say(Reason.of("cli.study_step_variant", variant=session.variant)))
+    print(say(Reason.of("cli.study_step_end", command=ending)))
+    return 0
+
+
+def page_words(session: Session, window: PageWindow) -> tuple[str, ...]:
+    """How the page of a session is started: in its window, held to its variant, with its own empty programs."""
+    return (
+        "page", "--upper", "--presentation", session.variant, "--window", str(window),
+        "--base", str(session.home / "programs"),
+    )  # fmt: skip
+
+
+def _print_steps() -> None:
     print(say(Reason.of("cli.study_step_windows")))
     print(say(Reason.of("cli.study_step_cell")))
-    print(say(Reason.of("cli.study_step_end", command=ending)))
+
+
+def _carried_through(study: Path, session: Session, words: tuple[str, ...]) -> int:
+    """The page until it is ended by Ctrl-C, then the end of the session; the exit code."""
+    kept = {name: value for name, value in os.environ.items() if name not in _KEPT}
+    command = [sys.executable, "-c", _MAIN, *words]
+    page = subprocess.Popen(command, env={**kept, "HOME": str(session.home)})  # noqa: S603 - this very program
+    code: int | None = None
+    while code is None:
+        try:
+            code = page.wait()
+        except KeyboardInterrupt:
+            continue  # the page hears it, too
+    ended = end(study, session.subject)
+    if isinstance(ended, Reason):
+        return refused(ended)
+    print(say(Reason.of("cli.study_ended", subject=session.subject)))
     return 0
 
 

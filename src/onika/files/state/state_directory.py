@@ -7,7 +7,7 @@ from onika.files.state.access import ANYTHING, WRITING, Access
 
 _SECRET = ("token", "console_history", "staying", "staying.log", "bookings", "sites", "page-users", "address-book")
 _SECRET_FOLDERS = ("audit", "diary", "black-boxes", "library-tokens")
-_FOLDERS = ("recordings", "recovery", "replaced", "meshes")
+_FOLDERS = ("recordings", "recovery", "replaced", "meshes", "browser")
 _MOST = 1000
 """Files of a folder that are looked at."""
 
