@@ -21,7 +21,7 @@ const FLOORS: readonly (readonly string[])[] = [
   ['texts'],
   ['state', 'geom'],
 ]
-const TOP = ['App.svelte', 'dialogs.ts', 'main.ts']
+const TOP = ['App.svelte', 'Dialog.svelte', 'main.ts']
 const GROUND = ['api.gen.ts', 'theme.css']
 const LARGEST = 35
 

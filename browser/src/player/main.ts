@@ -4,6 +4,7 @@ import '../theme.css'
 import { look } from '../state/look.svelte'
 import { startFrom } from '../link/link'
 import { t } from '../texts/index.svelte'
+import { fetchTranslation } from '../texts/translations.svelte'
 import { meshBytes } from '../values/meshBytes'
 import { carrierOf } from './carrier'
 import { Film } from './film'
@@ -11,6 +12,7 @@ import { unpack } from './unpack'
 import Player from './Player.svelte'
 
 async function begin(target: HTMLElement): Promise<void> {
+  await fetchTranslation()
   const film = new Film(await unpack(document.getElementById('run')?.textContent ?? ''))
   Object.assign(globalThis, { onikaRun: film }) // for whoever wants its numbers: onikaRun.instant(12.5)
   look.isFixed = true

@@ -1,4 +1,4 @@
-// Español.
+// Español: the page's own texts, and the sentences of reasons.
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
 import { esDictionary } from './es.dictionary'
@@ -15,7 +15,9 @@ import { esTask } from './es.task'
 import { esTune } from './es.tune'
 import { esUpper } from './es.upper'
 
-export const es: Record<TextKey, string> = {
+export { catalogue as sentences } from './catalogue.es.gen'
+
+export const texts: Record<TextKey, string> = {
   ...esShell,
   ...esCanvas,
   ...esStrip,

@@ -1,16 +1,14 @@
 // The text of a name in the language of this browser; read inside a template, it follows a change of language.
 import { look } from '../state/look.svelte'
 import { en, type TextKey } from './en'
-import { es } from './es'
+import { translationTo } from './translations.svelte'
 
 export type { TextKey }
 export type Values = Record<string, string | number>
 
-const CATALOGUES = { en, es }
-
 /** `{name}` stands for a value; `one|many` is chosen by the value `n`. */
 export function t(key: TextKey, values: Values = {}): string {
-  return fill(CATALOGUES[look.language][key], values)
+  return fill((translationTo(look.language)?.texts ?? en)[key], values)
 }
 
 export function fill(text: string, values: Values): string {

@@ -1,7 +1,7 @@
 // A reason in the language of who reads it, as `in_language` of src/onika/words/reason.py says it.
 import { look } from '../state/look.svelte'
-import { catalogue as es } from './catalogue.es.gen'
 import { fill, type Value } from './sentence'
+import { translationTo } from './translations.svelte'
 
 /** What a reason carries; `text` is its English sentence. */
 export interface Reason {
@@ -15,7 +15,6 @@ type Catalogue = Readonly<Record<string, string>>
 /** What modules say: translations by module, language and sentence. */
 export type ModuleSentences = Readonly<Record<string, Readonly<Record<string, Catalogue>>>>
 
-const CATALOGUES: Readonly<Record<string, Catalogue>> = { es }
 const OF_MODULE = 'module:'
 const PLAIN = 'plain'
 
@@ -34,7 +33,9 @@ export function say(reason: Reason | undefined, language: string = look.language
 
 function sentence(reason: Reason, language: string): string {
   const isOfModule = reason.key.startsWith(OF_MODULE)
-  const translation = isOfModule ? ofModule(reason.key, language) : entry(CATALOGUES[language], reason.key)
+  const translation = isOfModule
+    ? ofModule(reason.key, language)
+    : entry(translationTo(language)?.sentences, reason.key)
   if (translation === undefined) return reason.text
   if (isOfModule && !reason.args) return translation
   try {

@@ -1,6 +1,9 @@
-import { describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { look } from '../../src/state/look.svelte'
 import { choicesText, homeOf, choicesIn } from '../../src/application/redirectChoices'
+import { fetchTranslation } from '../../src/texts/translations.svelte'
+
+beforeAll(() => fetchTranslation('es'))
 
 const app = {
   name: 'play',

@@ -1,5 +1,5 @@
 // R-X06: the stop explained: when it shows itself, what it is called, what can be done, which plots say most.
-import { beforeEach, describe, expect, it } from 'vitest'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import type { ApplicationView, CourseView, RuntimeView, RunView, StopView } from '../../src/api.gen'
 import { look } from '../../src/state/look.svelte'
 import { isAllSimulated } from '../../src/progress/displaced'
@@ -7,6 +7,9 @@ import { standstills, shownStop } from '../../src/progress/shownStop.svelte'
 import { accountOf, choicesOf, inShort, titleOf } from '../../src/progress/stopText'
 import { stopVariables } from '../../src/progress/stopVariables'
 import { plain } from '../../src/texts/say'
+import { fetchTranslation } from '../../src/texts/translations.svelte'
+
+beforeAll(() => fetchTranslation('es'))
 
 const stop = (more: Partial<StopView> = {}): StopView => ({
   text: plain('cycle: no solution'),

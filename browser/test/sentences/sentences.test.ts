@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import type { ApplicationView, StepView, TypeView } from '../../src/api.gen'
 import { en } from '../../src/texts/en'
-import { es } from '../../src/texts/es'
+import { texts as es } from '../../src/texts/es'
 import { briefs, tell } from '../../src/sentences/sentences'
 import { asText, textOf, type Connectives } from '../../src/sentences/tale'
 

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest'
 import { applyPatch, desk } from '../../src/link/desk.svelte'
 import { plain, contains, every, meaningOf, say, type Reason } from '../../src/texts/say'
+import { fetchTranslation } from '../../src/texts/translations.svelte'
 
 const option: Reason = {
   key: 'cli.language_option',
@@ -8,6 +9,12 @@ const option: Reason = {
   args: { languages: ['en', 'es'], default: 'en' },
 }
 const spanish = 'el idioma de los mensajes, en o es; en si ni esto ni ONIKA_LANG indican otro'
+
+test('until a language has been fetched its readers are told in English', async () => {
+  expect(say(option, 'es')).toBe('in English')
+  await fetchTranslation('es')
+  expect(say(option, 'es')).toBe(spanish)
+})
 
 test('a reason is said in the language of the page', () => {
   expect(say(option, 'es')).toBe(spanish)

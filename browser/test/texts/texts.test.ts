@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { en, type TextKey } from '../../src/texts/en'
-import { es } from '../../src/texts/es'
+import { texts as es } from '../../src/texts/es'
 import { fill } from '../../src/texts/index.svelte'
 
 const keys = Object.keys(en) as TextKey[]
