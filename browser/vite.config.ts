@@ -1,12 +1,28 @@
 // How the page is built: into the Python package, with relative addresses, so that it may be served below any path.
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { gzipSync } from 'node:zlib'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
+import type { Plugin } from 'vite'
 import { defineConfig } from 'vitest/config'
 
 // While developing, the page comes from here and everything live from a program that runs beside it.
 const program = process.env.ONIKA_ADDRESS ?? 'http://127.0.0.1:8420'
 
+/** Beside each file of the page one that is packed, for those who open the page from afar. */
+const packed: Plugin = {
+  name: 'packed',
+  apply: 'build',
+  writeBundle({ dir = '' }) {
+    const assets = join(dir, 'assets')
+    for (const name of readdirSync(assets)) {
+      writeFileSync(join(assets, `${name}.gz`), gzipSync(readFileSync(join(assets, name)), { level: 9 }))
+    }
+  },
+}
+
 export default defineConfig({
-  plugins: [svelte()],
+  plugins: [svelte(), packed],
   base: './',
   build: {
     outDir: '../src/onika/web/static',

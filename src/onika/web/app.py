@@ -10,7 +10,6 @@ from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from onika.store.mesh_folder import MeshFolder
@@ -21,6 +20,7 @@ from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.mesh_route import mesh_route
 from onika.web.pace import Pace
+from onika.web.packed_files import PackedFiles
 from onika.web.refused_request import refused
 from onika.web.sign_in_routes import asked, sign_in_routes
 from onika.words.reason import Reason
@@ -72,7 +72,7 @@ def application(
     if isinstance(entrance, SignIn):
         routes += sign_in_routes(entrance, hub.end)
     if (static / "assets").is_dir():
-        routes.append(Mount("/assets", StaticFiles(directory=static / "assets")))
+        routes.append(Mount("/assets", PackedFiles(directory=static / "assets")))
     return Starlette(
         routes=routes,
         middleware=[Middleware(StrictHeaders)],
