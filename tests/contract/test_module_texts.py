@@ -1,6 +1,7 @@
 """One rule for what shipped modules say: every sentence that stands in their code has its Spanish beside it."""
 
 import ast
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,17 +13,22 @@ MODULES = sorted(LABS.glob("*/module/*.py"))
 SAY = ("ModuleError", "AskAgain", "self.warn", "illegal", "shutdown")
 
 
+@cache
+def calls_of(path):
+    """Each call in its code: what is called, and what stands in the brackets."""
+    calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
+    return [(ast.unparse(call.func), call.args) for call in calls]
+
+
 def sentences_of(path):
     """What stands first in each call that says something."""
-    calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
-    return [call.args[0] for call in calls if ast.unparse(call.func) in SAY and call.args]
+    return [args[0] for name, args in calls_of(path) if name in SAY and args]
 
 
 def meanings_of(path):
     """What each input of a module means, as its declaration says."""
-    calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
-    inputs = [call for call in calls if ast.unparse(call.func) == "Input" and len(call.args) == 3]
-    return {ast.literal_eval(call.args[2]) for call in inputs}
+    inputs = [args for name, args in calls_of(path) if name == "Input" and len(args) == 3]
+    return {ast.literal_eval(args[2]) for args in inputs}
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)

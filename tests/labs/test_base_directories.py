@@ -1,5 +1,7 @@
 """The shipped laboratories as data: every file reads without fault, and the jobs and applications fit together."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -69,6 +71,7 @@ def names(folder, ending):
     return sorted(path.stem for base in shipped_directories() for path in (base / folder).glob(f"*{ending}"))
 
 
+@cache  # of a hundred tests each reads the same files
 def read(kind, name, *more):
     opened, faults = getattr(SITE, kind)(name, *more)
     assert faults == ()
