@@ -82,7 +82,7 @@ soak: $(VENV)/.installed-dev ## the long tests, and every property on new exampl
 	$(BIN)/python tools/fuzz.py $(SECONDS)
 
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
-	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done
+	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; PYTHONPATH=tests $(BIN)/python "$$each"; done
 	@PYTHONPATH=tools/bench:tests $(BIN)/python -m beside --alone
 
 bench-check: $(PEERS)/.installed ## compare what is counted and the ratios to the peers with what was kept last
