@@ -32,6 +32,7 @@ class ProcessingUnit:
         self.news: list[news.News] = []
         self.prepared = PreparedSwitches()
         self.is_stopped = False
+        self._hardware: dict[Address, RunningTask] = {}
         self._rings: dict[str, dict[str, Ring]] = {}
         self._last_tid = 0
 
@@ -61,8 +62,7 @@ class ProcessingUnit:
         task.tid = self._last_tid
         self.tasks[task.address] = task
         self.slots[task.slot] = task
-        if task.input_guard is not None:
-            task.input_guard.transfer.tell = self.tell
+        self._know_hardware(task)
         self.know_rings(task)
 
     def exchange(self, old: RunningTask, new: RunningTask) -> None:
@@ -71,18 +71,26 @@ class ProcessingUnit:
         new.slot = old.slot
         self.tasks[old.address] = new
         self.slots[old.slot] = new
-        if new.input_guard is not None:
-            new.input_guard.transfer.tell = self.tell
+        self._know_hardware(new)
         self.scheduler.rekey(new.slot, new.key)
         self.know_rings(new)
 
     def dismiss(self, address: Address) -> RunningTask | None:
         """The task lives here no more; None if it never did."""
         task = self.tasks.pop(address, None)
+        self._hardware.pop(address, None)
         if task is not None:
             del self.slots[task.slot]
             self._know_no_more(address[0])
         return task
+
+    def _know_hardware(self, task: RunningTask) -> None:
+        """Whether it drives a device; its code may be another than it was."""
+        if task.input_guard is None:
+            self._hardware.pop(task.address, None)
+        else:
+            self._hardware[task.address] = task
+            task.input_guard.transfer.tell = self.tell
 
     # ON and no more
 
@@ -154,12 +162,8 @@ class ProcessingUnit:
     def objection(self, task: RunningTask) -> Reason:
         """Why what a task that comes on has in its outputs cannot be given to a device; empty where it can."""
         outputs = task.binding.real_outputs()
-        for running in self.tasks.values():
-            if (
-                running.input_guard is not None
-                and running.spawn.subsystem == task.spawn.subsystem
-                and running.is_driving
-            ):
+        for running in self._hardware.values() if outputs else ():
+            if running.spawn.subsystem == task.spawn.subsystem and running.is_driving and running.input_guard:
                 for svar, value in outputs.items():
                     if reason := running.input_guard.transfer.objection(svar, value):
                         return reason
