@@ -41,6 +41,13 @@ def test_a_console_says_where_it_is_and_carries_out_lines(lines, capsys):  # R-A
     assert "     0.00 s  main/puma OFF" in printed
 
 
+def test_what_is_wrong_with_the_search_path_is_said_first(lines, tmp_path, capsys):  # R-X16
+    (tmp_path / "onika.lock").write_text("VERSION 2.0\nLIBRARY wings\n")
+    lines("quit\n")
+    assert sit_down(LiveRuntime(), open_site([tmp_path], {}, None), None) == 0
+    assert capsys.readouterr().out.startswith(f"{tmp_path}/onika.lock:2")
+
+
 def test_a_runtime_that_cannot_be_operated_is_told(lines, capsys):
     runtime = LiveRuntime()
     runtime.refusals["Attend"] = Reason.plain("an older runtime")

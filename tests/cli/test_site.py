@@ -1,8 +1,13 @@
 import pytest
 
+from kit.link.private_door import PrivateDoor
 from onika.cli import main
+from onika.files.state.kept_certificates import certificate_path
 from onika.files.state.known_sites import KnownSites, known_sites_path
+from onika.link.shown_certificate import fingerprint_of
+from onika.link.starting.site_client import SiteClient
 from onika.link.token import digest
+from onika.wire.site_card import SiteCard
 
 LIST = "VERSION 2.0\nLAUNCH arm\nWORLD boxes\nEOF\n"
 
@@ -64,3 +69,32 @@ def test_where_a_site_listens_is_said_in_one_line(listed, capsys, monkeypatch): 
     words = ["site", "serve", str(listed), "--name", "cmu", "--listen", "127.0.0.1:0", "--users", str(users)]
     assert main(words) == 0
     assert "cmu listens on 127.0.0.1:" in capsys.readouterr().out
+
+
+def test_a_certificate_that_its_machine_has_made_is_trusted_by_name_only(listed, capsys, tmp_path):  # R-F02
+    door = PrivateDoor(tmp_path)
+    place, right = f"127.0.0.1:{door.port}", fingerprint_of(door.der)
+    try:
+        assert main(["site", "trust", f"site://{place}/arm"]) == 1
+        told = capsys.readouterr()
+        assert right in told.out and "--sha256" in told.err
+        assert main(["site", "trust", place, "--sha256", right.replace("A", "B").replace("1", "2")]) == 1
+        assert not certificate_path("127.0.0.1").exists()
+        assert main(["site", "trust", place, "--sha256", right.lower()]) == 0
+        assert certificate_path("127.0.0.1").is_file()
+    finally:
+        door.close()
+
+
+@pytest.mark.parametrize("act", ["card", "launch", "end"])
+def test_another_site_of_a_known_name_is_told_and_not_asked_to_launch(listed, capsys, monkeypatch, act):  # R-F06
+    def launched(*_):
+        raise AssertionError
+
+    monkeypatch.setenv("ONIKA_TOKEN", "x")
+    monkeypatch.setattr(SiteClient, "card", lambda _: SiteCard("cmu", "b" * 32, 1.0, "ann", "operator"))
+    monkeypatch.setattr(SiteClient, "launch", launched)
+    monkeypatch.setattr(SiteClient, "end", launched)
+    KnownSites(known_sites_path()).meet("cmu", "a" * 32, "cmu.example:7995")
+    assert main(["site", act, "site://other.example/arm"]) == 1
+    assert "as another one, which was at cmu.example:7995" in capsys.readouterr().err

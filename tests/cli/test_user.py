@@ -4,6 +4,7 @@ import sys
 import pytest
 
 from onika.cli import commands, user
+from onika.link.token import digest
 
 GOOD = "correct horse battery"
 
@@ -70,3 +71,13 @@ def test_lines_that_are_none_are_not_lost_by_writing(state, typed, capsys, tmp_p
     assert commands.carry_out(["user", "add", "ann", "viewer", "--users", str(file)]) == 1
     assert f"{file}:1" in capsys.readouterr().err
     assert file.read_text() == "bob viewer something\n"
+
+
+def test_a_token_of_a_runtime_or_site_goes_alone_into_a_file(state, capsys, tmp_path):  # R-F02
+    file = tmp_path / "users"
+    assert commands.carry_out(["user", "token", "ann", "programmer", "--users", str(file)]) == 0
+    told = capsys.readouterr()
+    token = told.out.strip()
+    assert file.read_text() == f"ann programmer {digest(token)}\n" and token not in told.err
+    assert commands.carry_out(["user", "token", "ann", "viewer", "--users", str(file)]) == 1
+    assert "one role for ann" in capsys.readouterr().err

@@ -45,6 +45,8 @@ def sit_down(runtime: Runtime, site: Site, script: Path | None, *, has_console: 
             desk.say(fault.sentence, Tone.FAULT)
         if faults:
             return 1
+        for fault in site.absent():
+            desk.say(fault.sentence, Tone.NOTE)
         _welcome(session, desk)
         if has_console:
             return converse(console, desk, script)

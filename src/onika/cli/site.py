@@ -9,16 +9,19 @@ from pathlib import Path
 from onika.booking.book import book_path
 from onika.cli.language import say
 from onika.cli.lines import site_text
+from onika.cli.lines.consent import agrees
 from onika.cli.orderly_exit import in_order
 from onika.cli.search_path import directory
 from onika.desk.run.remote_runtime import token_for
 from onika.files import text
 from onika.files.site import launch_list
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
+from onika.files.state.kept_certificates import keep_certificate
 from onika.files.state.known_sites import KnownSites, known_sites_path
 from onika.files.state.state_directory import state_directory
-from onika.link.address import split_host
+from onika.link.address import PORT as RUNTIME_PORT, bracketed, split_host
 from onika.link.lost import LinkLost
+from onika.link.shown_certificate import fingerprint_of, shown_certificate, unfit
 from onika.link.starting.site_address import PORT, SiteAddress
 from onika.link.starting.site_client import SiteClient
 from onika.link.token import read_token
@@ -26,6 +29,8 @@ from onika.model.launch import Launch
 from onika.store.remote.publication import Publisher
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of
+
+_PORTS = {"wss": RUNTIME_PORT, "https": 443}
 
 
 def purpose() -> Reason:
@@ -55,6 +60,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     serve.add_argument("--library-name", type=_name, metavar="NAME", help=say(Reason.of("cli.library_name")))
     serve.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     serve.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
+    trust = acts.add_parser("trust", help=say(Reason.of("cli.site_trust")))
+    trust.add_argument("place", type=_place, metavar="HOST[:PORT]")
+    trust.add_argument("--sha256", default="", metavar="XX:…", help=say(Reason.of("cli.site_trust_option")))
     _elsewhere(acts.add_parser("card", help=say(Reason.of("cli.site_card"))))
     _elsewhere(acts.add_parser("launch", help=say(Reason.of("cli.site_launch"))))
     _elsewhere(acts.add_parser("end", help=say(Reason.of("cli.site_end"))))
@@ -75,9 +83,31 @@ def carry_out(given: argparse.Namespace) -> int:
         case "forget":
             return _forget(given.name)
     try:
-        return _at_another(given)
+        return _trust(given.place[0], given.place[1], given.sha256) if given.act == "trust" else _at_another(given)
     except LinkLost as lost:
         return _no(lost.reason)
+
+
+def _trust(host: str, port: int, named: str) -> int:
+    """Keep the certificate that is shown there, where the user says that it is the right one."""
+    certificate = shown_certificate(host, port)
+    fingerprint = fingerprint_of(certificate)
+    print(say(Reason.of("cli.site_certificate", place=f"{bracketed(host)}:{port}", fingerprint=fingerprint)))
+    wrong = unfit(host, port, certificate)
+    if wrong is not None:
+        return _no(wrong)
+    if named or not sys.stdin.isatty():
+        is_right = named.replace(":", "").upper() == fingerprint.replace(":", "")
+    else:
+        is_right = agrees(say(Reason.of("cli.site_trust_question", host=host)))
+    if not is_right:
+        return _no(Reason.of("cli.site_not_trusted", fingerprint=fingerprint))
+    try:
+        path = keep_certificate(host, certificate)
+    except OSError as wrong_here:
+        return _no(reason_of(wrong_here))
+    print(say(Reason.of("cli.site_trusted", host=host, path=str(path))))
+    return 0
 
 
 def _elsewhere(parser: argparse.ArgumentParser) -> None:
@@ -143,13 +173,18 @@ def _at_another(given: argparse.Namespace) -> int:
     except (OSError, ValueError) as wrong:
         return _no(Reason.of("cli.token_expected", reason=reason_of(wrong)), 2)
     client = SiteClient(address, token, given.ca)
+    card = client.card()
+    known = KnownSites(known_sites_path()).all().get(card.site)
+    is_another = known is not None and known.identity != card.identity
     if given.act == "card":
-        for line in site_text.card(client.card()):
+        for line in site_text.card(card):
             print(say(line))
+    elif not address.name:
+        return _no(Reason.of("cli.site_which", names=tuple(launch.name for launch in card.launches)), 2)
+    if known is not None and is_another:
+        return _no(Reason.of("link.site_twice", site=card.site, place=known.place, here=address.place))
+    if given.act == "card":
         return 0
-    if not address.name:
-        names = tuple(launch.name for launch in client.card().launches)
-        return _no(Reason.of("cli.site_which", names=names), 2)
     if given.act == "end":
         client.end()
         print(say(Reason.of("cli.site_ended", name=address.name)))
@@ -193,6 +228,16 @@ def _name(given: str) -> str:
     if not TASK_NAME.match(given):
         raise argparse.ArgumentTypeError(say(Reason.of("cli.site_name_expected", text=given)))
     return given
+
+
+def _place(given: str) -> tuple[str, int]:
+    """Host and port, also of an address of Onika's or of the web."""
+    scheme, _, rest = given.rpartition("://")
+    try:
+        host, port = split_host(rest.partition("/")[0])
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+    return host, port if port is not None else _PORTS.get(scheme, PORT)
 
 
 def _address(given: str) -> SiteAddress:

@@ -1,4 +1,4 @@
-"""`onika user`: who may come to a page that is served to others (requirement F10)."""
+"""`onika user`: who may come to a page that is served to others, to a runtime or to a site (requirements F02, F10)."""
 
 import argparse
 import getpass
@@ -10,7 +10,7 @@ from onika.cli.language import say
 from onika.web.access.page_users import NAME, ROLES, PageUser, PageUserFile, users_path
 from onika.web.access.password_hash import PasswordHash, unfit
 from onika.words.fault import Refusal
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 
 def purpose() -> Reason:
@@ -29,10 +29,16 @@ def describe(parser: argparse.ArgumentParser) -> None:
     listed = acts.add_parser("list", help=say(Reason.of("cli.user_list")))
     for each in (add, remove, listed):
         each.add_argument("--users", type=Path, metavar="FILE", help=say(Reason.of("cli.user_file")))
+    token = acts.add_parser("token", help=say(Reason.of("cli.user_token")))
+    token.add_argument("name", metavar="NAME")
+    token.add_argument("role", choices=tuple(ROLES), help=say(Reason.of("cli.user_role_there")))
+    token.add_argument("--users", type=Path, required=True, metavar="FILE", help=say(Reason.of("cli.user_token_file")))
 
 
 def carry_out(given: argparse.Namespace) -> int:
     """Add, remove or list; 0 where that could be done."""
+    if given.act == "token":
+        return _token(given.users, given.name, given.role)
     file = PageUserFile(given.users or users_path(os.environ))
     file.look()
     for fault in file.faults:
@@ -68,6 +74,19 @@ def _add(file: PageUserFile, name: str, role: str) -> int:
     key = "cli.user_changed" if name in file.users else "cli.user_added"
     user = PageUser(name, ROLES[role], PasswordHash.of(password))
     return _written(file.put(user), Reason.of(key, name=name, role=role))
+
+
+def _token(path: Path, name: str, role: str) -> int:
+    """The token alone on the output, so that it can go into a file."""
+    from onika.host.sessions.users import add_user  # within: a page's users need nothing of runtimes
+
+    try:
+        token = add_user(path, name, role)
+    except (OSError, ValueError) as wrong:
+        return _no(reason_of(wrong))
+    print(token)
+    print(say(Reason.of("cli.user_token_added", name=name, role=role, path=str(path))), file=sys.stderr)
+    return 0
 
 
 def _password(name: str) -> str | None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from onika.files.state.state_directory import make_own, state_directory
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason_with_place
 
 
 def new_token() -> str:
@@ -27,8 +28,11 @@ def token_path(environment: Mapping[str, str] = os.environ) -> Path:
 
 
 def read_token(path: Path) -> str:
-    """The token in a file; raises OSError, or ValueError where none stands there."""
-    text = path.read_text(encoding="ascii", errors="replace").strip()
+    """The token in a file; raises ValueError where none can be read there."""
+    try:
+        text = path.read_text(encoding="ascii", errors="replace").strip()
+    except OSError as error:
+        raise ValueError(system_reason_with_place(error)) from None
     if not text or not text.isprintable() or " " in text:
         raise ValueError(Reason.of("link.token_none", path=str(path)))
     return text

@@ -14,11 +14,11 @@ from websockets.protocol import State
 from websockets.uri import parse_uri
 
 from onika.link import refusal_header
-from onika.link.address import Address
+from onika.link.address import Address, bracketed
 from onika.link.channel import Channel
 from onika.link.heartbeat import HEADER, HeartbeatKey, HeartbeatSender
 from onika.link.lost import LinkLost, LossCause
-from onika.link.trust import trusting
+from onika.link.trust import trusting, untrusted
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_messages import SILENT
 from onika.wire.frame import FRAME_LIMIT
@@ -89,9 +89,8 @@ class WebSocketOpening:
             private = self._secure(connected)
             self._shake(private, protocol, until)
         except ssl.SSLCertVerificationError as fault:
-            why = Reason.plain(fault.verify_message)
-            untrusted = Reason.of("link.untrusted", address=str(self.address), why=why)
-            raise LinkLost(LossCause.CERTIFICATE, untrusted) from None
+            place = f"{bracketed(self.address.host)}:{self.address.port}"
+            raise untrusted(fault, str(self.address), place) from None
         except TimeoutError:
             slow = Reason.of("link.not_opened", address=str(self.address), seconds=OPEN_S)
             raise LinkLost(LossCause.TIMEOUT, slow) from None
@@ -108,7 +107,7 @@ class WebSocketOpening:
     def _secure(self, connected: socket.socket) -> socket.socket:
         if not self.address.is_private:
             return connected
-        return trusting(self.authority).wrap_socket(connected, server_hostname=self.address.host)
+        return trusting(self.authority, self.address.host).wrap_socket(connected, server_hostname=self.address.host)
 
     def _shake(self, connected: socket.socket, protocol: ClientProtocol, until: float) -> None:
         connected.sendall(b"".join(protocol.data_to_send()))

@@ -316,6 +316,6 @@ def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 
     runtime.refuses = "code from another machine is not accepted"
     outcome, _ = go()
     assert outcome.exit_code == 2
-    assert str(outcome.faults[0].reason) == (
-        "expected a plan that it takes, found code from another machine is not accepted"
+    assert (
+        str(outcome.faults[0].reason) == "it does not take the application: code from another machine is not accepted"
     )

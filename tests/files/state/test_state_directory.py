@@ -77,7 +77,8 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         "library-tokens",
         "replaced",
     }
-    assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery", "replaced", "meshes", "browser"}
+    others = {"black-boxes/a.mcap", "recordings", "recovery", "replaced", "meshes", "certificates", "browser"}
+    assert set(denied) == named | others
 
 
 def test_a_state_directory_of_before_is_closed_at_the_next_start(tmp_path):  # R-X12

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.sessions.users import User, Users, main, read
+from onika.host.sessions.users import User, Users, add_user, main, read
 from onika.link.caller import Role
 from onika.link.token import digest
 
@@ -44,3 +44,16 @@ def test_the_command_makes_a_token_and_keeps_its_digest_only(tmp_path, capsys):
     assert len(capsys.readouterr().out.splitlines()) == 2
     for words in ([], ["ann"], ["ann", "king"], ["a b", "owner"]):
         assert main(words) == 2
+
+
+def test_a_user_has_several_tokens_but_one_role(tmp_path):  # R-F02
+    file = tmp_path / "users"
+    file.write_text(str(ANN))  # somebody has left out the end of the line
+    first, second = add_user(file, "bob", "viewer"), add_user(file, "bob", "viewer")
+    users, faults = read(file.read_text(), "users")
+    assert not faults and [Users(users).find(token).name for token in (first, second)] == ["bob", "bob"]
+    before = file.read_text()
+    for name, role in (("bob", "owner"), ("bob", "king"), ("b b", "viewer")):
+        with pytest.raises(ValueError, match=name):
+            add_user(file, name, role)
+    assert file.read_text() == before

@@ -83,7 +83,8 @@ def test_a_lock_at_fault_leaves_everything_else_as_it_is(tmp_path, site):  # R-X
     (tmp_path / "home/onika/onika.lock").write_text("VERSION 2.0\nLIBRARY wings\n")
     search_path = here(tmp_path)
     assert search_path.checkouts == ()
-    assert search_path.faults_of_checkouts and search_path.home_of_task("pd") is not None
+    assert search_path.faults_of_checkouts and all(fault.is_note for fault in search_path.faults_of_checkouts)
+    assert search_path.home_of_task("pd") is not None
 
 
 def test_two_locks_with_two_versions_are_told_and_the_first_counts(tmp_path, site):  # R-X16

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.cli.library import listing_text, sending
-from onika.cli.library.consent import agrees
+from onika.cli.lines.consent import agrees
 from onika.cli.search_path import access_here, directory
 from onika.files.library_lock import LockedLibrary
 from onika.store.remote.contents import contents, matching
@@ -111,7 +111,7 @@ def _is_trusted(offer: Offer, trusted: str) -> bool:
     """Whether the user trusts the signer: said with the command, or asked for at a terminal."""
     if trusted or not sys.stdin.isatty():
         return trusted == offer.found.signer
-    return agrees(Reason.of("cli.library_trust_question"))
+    return agrees(say(Reason.of("cli.library_trust_question")))
 
 
 def _list(_: argparse.Namespace, libraries: RemoteLibraries) -> int:
@@ -139,14 +139,22 @@ def _updated(library: LockedLibrary, libraries: RemoteLibraries, *, is_agreed: b
     if renewal.changes.further and not is_agreed:
         if not sys.stdin.isatty():
             return Reason.of("cli.library_not_agreed", library=library.name)
-        if not agrees(Reason.of("cli.library_agree_question")):
+        if not agrees(say(Reason.of("cli.library_agree_question"))):
             return Reason.of("cli.library_as_before", library=library.name)
     renewed = libraries.renew(library, renewal)
     return renewed.sentence if isinstance(renewed, Refusal) else NOTHING
 
 
 def _fetch(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
-    return _of_each(given.name, libraries, libraries.fetch)
+    return _of_each(given.name, libraries, lambda library: _fetched(library, libraries))
+
+
+def _fetched(library: LockedLibrary, libraries: RemoteLibraries) -> Reason:
+    """Have all of one library here; why that is not so, where it is not."""
+    failed = libraries.fetch(library)
+    if not failed:
+        print(say(Reason.of("cli.library_fetched", library=library.name, count=len(library.files))))
+    return failed
 
 
 def _of_each(names: list[str], libraries: RemoteLibraries, do: Callable[[LockedLibrary], Reason]) -> int:

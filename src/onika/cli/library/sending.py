@@ -9,7 +9,7 @@ from datetime import date
 from pathlib import Path
 
 from onika.cli.language import say
-from onika.cli.library.consent import agrees
+from onika.cli.lines.consent import agrees
 from onika.files.state.state_directory import state_directory
 from onika.store.remote.own_changes import named_changes, own_changes
 from onika.store.remote.proposal import Proposal
@@ -59,7 +59,7 @@ def _agrees(proposal: Proposal, folder: Path, *, is_agreed: bool) -> bool:
     if is_agreed or not sys.stdin.isatty():
         return is_agreed
     paths = tuple(file.path for file in proposal.merged)
-    return agrees(Reason.of("cli.library_send_question", paths=paths, folder=str(folder)))
+    return agrees(say(Reason.of("cli.library_send_question", paths=paths, folder=str(folder))))
 
 
 def _told(done: Sent | Unsent, library: str) -> Iterator[Reason]:

@@ -6,7 +6,7 @@ from pathlib import Path
 from onika.files.state.access import ANYTHING, WRITING, Access
 
 _SECRET = ("token", "console_history", "staying", "staying.log", "bookings", "sites", "page-users", "address-book")
-_SECRET_FOLDERS = ("audit", "diary", "black-boxes", "library-tokens")
+_SECRET_FOLDERS = ("audit", "diary", "black-boxes", "library-tokens", "certificates")
 _FOLDERS = ("recordings", "recovery", "replaced", "meshes", "browser")
 _MOST = 1000
 """Files of a folder that are looked at."""

@@ -44,12 +44,10 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Rea
             return denied
     least = _least(message)
     if caller.role < least:
+        if least is Role.PROGRAMMER:
+            return Reason.of("host.role_for_code", least=least.word, user=caller.user, role=caller.role.word)
         what = type(message).__name__
-        if least in (Role.OPERATOR, Role.OWNER):
-            return Reason.of(
-                "host.role_wanted_an", least=least.word, what=what, user=caller.user, role=caller.role.word
-            )
-        return Reason.of("host.role_wanted", least=least.word, what=what, user=caller.user, role=caller.role.word)
+        return Reason.of("host.role_wanted_an", least=least.word, what=what, user=caller.user, role=caller.role.word)
     if brings_code(message) and not caller.is_near and not accepts_code:
         return Reason.of("host.code_from_afar", address=caller.address)
     if _writes_recording(message) and caller != PARENT:

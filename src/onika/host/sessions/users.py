@@ -62,17 +62,34 @@ def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:
     return tuple(users), faults
 
 
+def add_user(path: Path, name: str, role: str) -> str:
+    """Add a user to a file, or one more token of his, and give the token, which is kept nowhere; raises ValueError
+    for what is no name or role, OSError where the file cannot be written.
+    """
+    if not _NAME.fullmatch(name) or role not in _ROLES:
+        raise ValueError(Reason.of("host.user_name", name=name[:80], roles=tuple(_ROLES)))
+    known = path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
+    users, faults = read(known, str(path))
+    other = next((user for user in users if user.name == name and user.role is not _ROLES[role]), None)
+    if faults or other is not None:
+        twice = Reason.of("host.user_twice", name=name, role=role)
+        raise ValueError(faults[0].sentence if faults else twice)
+    token = new_token()
+    with path.open("a", encoding="ascii") as file:
+        file.write("\n" * (known[-1:] not in ("", "\n")) + f"{User(name, _ROLES[role], digest(token))}\n")
+    return token
+
+
 def main(words: list[str]) -> int:
     """`python -m onika.host.sessions.users NAME ROLE [FILE]`: print a new token once and add its line to the file."""
     if len(words) not in (2, 3) or not _NAME.fullmatch(words[0]) or words[1] not in _ROLES:
         sys.stderr.write(f"expected NAME {'|'.join(_ROLES)} [FILE]\n")
         return 2
-    token = new_token()
-    line = str(User(words[0], _ROLES[words[1]], digest(token)))
     if len(words) == 3:
-        with Path(words[2]).open("a", encoding="ascii") as file:
-            file.write(line + "\n")
-    sys.stdout.write(f"{token}\n" if len(words) == 3 else f"{line}\n{token}\n")
+        sys.stdout.write(f"{add_user(Path(words[2]), words[0], words[1])}\n")
+        return 0
+    token = new_token()
+    sys.stdout.write(f"{User(words[0], _ROLES[words[1]], digest(token))}\n{token}\n")
     return 0
 
 

@@ -17,7 +17,7 @@ from msgspec import DecodeError, ValidationError, json
 from onika.link import refusal_header
 from onika.link.lost import LinkLost, LossCause
 from onika.link.starting.site_address import SiteAddress
-from onika.link.trust import trusting
+from onika.link.trust import trusting, untrusted
 from onika.wire.site_card import SiteCard, SiteHandOver
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -120,8 +120,7 @@ class SiteClient:
         try:
             connection.sock = made()
         except ssl.SSLCertVerificationError as fault:
-            why = Reason.plain(fault.verify_message)
-            raise LinkLost(LossCause.CERTIFICATE, Reason.of("link.untrusted", address=self._where, why=why)) from None
+            raise untrusted(fault, self._where, self._address.place) from None
         except ssl.SSLError as fault:
             why = Reason.plain(str(fault.reason))
             raise LinkLost(LossCause.CERTIFICATE, Reason.of("link.not_private", address=self._where, why=why)) from None
@@ -139,7 +138,7 @@ class SiteClient:
         return connected
 
     def _private(self) -> socket.socket:
-        context = trusting(self._authority)
+        context = trusting(self._authority, self._address.host)
         plain = socket.create_connection((self._address.host, self._address.port), CONNECT_S)
         try:
             plain.settimeout(ANSWER_S)

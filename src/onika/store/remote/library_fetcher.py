@@ -1,7 +1,7 @@
 """Fetches what a program needs of libraries of others, all at once, before anything of it is read (F03)."""
 
 from collections.abc import Iterable, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from onika.files.library_index import IndexedFile
@@ -61,7 +61,7 @@ def checkouts_of(bases: Iterable[Path], cache: ObjectCache) -> tuple[tuple[Check
     faults: list[Fault] = []
     for base in bases:
         libraries, faults_of_lock = LockFile(base).libraries()
-        faults += faults_of_lock
+        faults += (replace(fault, is_note=True) for fault in faults_of_lock)  # what needs them says so itself
         for locked in libraries:
             checkout = Checkout(base, locked, cache)
             other = checkouts.setdefault(locked.name, checkout)

@@ -11,6 +11,7 @@ from threading import Timer
 from typing import TypeVar
 
 from onika.files.library_index import LARGEST_FILE
+from onika.files.state.kept_certificates import is_own, trusting_kept
 from onika.store.remote.address import WebAddress
 from onika.store.remote.credential import Credential
 from onika.store.remote.source import Wanted
@@ -125,7 +126,7 @@ class WebConnection:
         plain.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         ours = plain
         if self._address.is_tls:
-            ours = ssl.create_default_context().wrap_socket(plain, server_hostname=host)
+            ours = trusting_kept(host).wrap_socket(plain, server_hostname=host)
         ours.settimeout(self._limits.idle_s)
         connection = http.client.HTTPConnection(host, port)
         connection.sock = ours
@@ -219,6 +220,9 @@ class WebConnection:
         match error:
             case _ if self._is_late:
                 return Reason.of("store.server_slow", host=host)
+            case ssl.SSLCertVerificationError() if is_own(error):
+                why, place = Reason.plain(error.verify_message), f"{host}:{self._address.port}"
+                return Reason.of("store.certificate_own", host=host, why=why, place=place)
             case ssl.SSLCertVerificationError():
                 return Reason.of("store.certificate", host=host, why=Reason.plain(error.verify_message))
             case http.client.IncompleteRead():
