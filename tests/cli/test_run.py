@@ -4,6 +4,7 @@ import pytest
 
 from onika.cli import main, run as room
 from onika.desk.run.outcome import Outcome
+from onika.desk.trial import keeping
 from onika.wire import event
 from onika.words.reason import NOTHING, Reason
 
@@ -157,7 +158,7 @@ def test_a_good_run_is_kept_as_a_test(runs, monkeypatch, tmp_path, capsys):  # R
         kept.append((path, settings.name, more["seen"]))
         return len(kept) == 1, (Reason.plain("25 actions"),)
 
-    monkeypatch.setattr(room, "keep_in", keep_in)
+    monkeypatch.setattr(keeping, "keep_in", keep_in)
     words = ["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]
     assert main(words) == 0
     assert kept == [(tmp_path / "a.test", "go_home", "")]
@@ -177,7 +178,7 @@ def test_a_run_that_cannot_be_kept_is_refused_before_it_begins(runs, capsys, wor
 
 
 def test_a_run_that_failed_is_not_kept(runs, monkeypatch, tmp_path):  # R-X07
-    monkeypatch.setattr(room, "keep_in", lambda *_args, **_more: pytest.fail("it was kept"))
+    monkeypatch.setattr(keeping, "keep_in", lambda *_args, **_more: pytest.fail("it was kept"))
     monkeypatch.setattr(room, "run", lambda settings, site, watcher, opens: Outcome("go_home", faults=[]))
     assert main(["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]) == 2
 

@@ -13,10 +13,10 @@ from kit.labs.laboratory import Laboratory, job
 from kit.process.cli_process import ONIKA
 from onika.cli import main
 from onika.desk.environment.initial_model import opened
-from onika.desk.run.recorded_run import RecordingSource, inputs_of
+from onika.desk.run.recorded_run import inputs_of
 from onika.desk.run.run import start
 from onika.desk.run.run_review import Review
-from onika.desk.run.settings import RunSettings
+from onika.desk.run.settings import RecordingSource, RunSettings
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import Tolerance

@@ -1,6 +1,7 @@
 """The commands by name, and the parser that knows them."""
 
 import argparse
+import gc
 import os
 import sys
 from collections.abc import Iterable
@@ -73,6 +74,7 @@ def carry_out(words: list[str] | None) -> int:
     with speaking(wanted):
         try:
             given = _parse(_whole(rest))
+            gc.enable()
             if given.command in KEEPING and not _is_ours(state_directory(os.environ)):
                 return 2
             code: int = _command(given.command).carry_out(given)

@@ -14,14 +14,11 @@ from onika.cli.plain_display import PlainDisplay
 from onika.cli.runtime import script_file
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
-from onika.desk.joined.joined_runtimes import opens
 from onika.desk.run import world_picture
 from onika.desk.run.outcome import Outcome
-from onika.desk.run.recorded_run import RecordingSource
-from onika.desk.run.run import run
-from onika.desk.run.settings import RunSettings, RuntimeLocation
+from onika.desk.run.run import Opens, run
+from onika.desk.run.settings import RecordingSource, RunSettings, RuntimeLocation
 from onika.desk.sweep.variation import Variation
-from onika.desk.trial.keeping import keep_in, unkeepable
 from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
 from onika.model.redirect import Redirect
@@ -110,11 +107,11 @@ def carry_out(given: argparse.Namespace) -> int:
         given.complain(say(Reason.of("cli.at_alone")))
     watcher = _watcher(given)
     settings = _settings(given, watcher.can_steer)
-    objection = NOTHING if given.keep_test is None else unkeepable(settings, given.keep_test)
+    objection = NOTHING if given.keep_test is None else _unkeepable(settings, given.keep_test)
     if objection:
         given.complain(say(Reason.of("cli.not_kept", objection=objection)))
     with in_order(), watcher:
-        outcome = run(settings, site_here(given.local), watcher, opens(settings))
+        outcome = run(settings, site_here(given.local), watcher, _opens(settings))
     drawn = _draw(outcome, given.picture) if given.picture is not None else NOTHING
     watcher.ended(outcome, drawn)
     if given.keep_test is not None and outcome.exit_code == 0:
@@ -160,8 +157,26 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
     )
 
 
+def _opens(settings: RunSettings) -> Opens | None:
+    """What the flows run on where they run on several runtimes."""
+    if not settings.places:
+        return None
+    from onika.desk.joined.joined_runtimes import opens  # within: only who joins runtimes needs all that
+
+    return opens(settings)
+
+
+def _unkeepable(settings: RunSettings, path: Path) -> Reason:
+    """Why such a run cannot be kept as a test."""
+    from onika.desk.trial.keeping import unkeepable  # within: only who keeps a test needs all that
+
+    return unkeepable(settings, path)
+
+
 def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> int:
     """Keep the run as a test; told on the error output, as JSON lines may go to the other one."""
+    from onika.desk.trial.keeping import keep_in  # within: only who keeps a test needs all that
+
     seen = outcome.result.hash if outcome.result is not None else ""
     with in_order():
         is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen, say=say)

@@ -13,8 +13,8 @@ from onika.fabric.listing import CardJudge, NetworkListing, remembered
 from onika.fabric.place import Place, RouterPlace, place_of, written
 from onika.fabric.router_cards import router_cards
 from onika.fabric.signed_card import LARGEST_BOOK, opened, unbound
+from onika.store.remote.limits import Limits
 from onika.store.remote.source import FolderSource, Wanted
-from onika.store.remote.web_connection import Limits
 from onika.store.remote.web_source import WebSource
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason_with_place

@@ -1,7 +1,8 @@
 import pytest
 
 from kit.record.recording_builder import RecordingBuilder, run
-from onika.desk.run.recorded_run import RecordedRun, RecordingSource, events_of, inputs_of, recorded_run
+from onika.desk.run.recorded_run import RecordedRun, events_of, inputs_of, recorded_run
+from onika.desk.run.settings import RecordingSource
 from onika.wire import event, request, steer
 from onika.wire.request import decode_request
 

@@ -7,8 +7,9 @@ import pytest
 from kit.labs.library_server import LibraryServer, answer, drip, flood, moved, slow_head
 from onika.store.remote.address import WebAddress, web_address
 from onika.store.remote.credential import Credential
+from onika.store.remote.limits import Limits
 from onika.store.remote.source import Wanted
-from onika.store.remote.web_connection import Limits, WebConnection
+from onika.store.remote.web_connection import WebConnection
 from onika.words.reason import Reason
 
 HASTY = Limits(connect_s=2.0, idle_s=0.3, total_s=0.6, rate=1e6, grace_s=0.1)

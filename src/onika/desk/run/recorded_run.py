@@ -1,11 +1,11 @@
 """A recorded run that can begin again: the same plan, seed and inputs, up to an instant (requirement X05)."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from msgspec import structs
 
 from onika.desk.plan.preparation import PreparedRun
+from onika.desk.run.settings import RecordingSource
 from onika.record import topics
 from onika.record.reader import UNREADABLE, Reader, content
 from onika.record.run import END, RunRecord
@@ -15,14 +15,6 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
 _NOT_RUN = Reason.of("words.nothing_run")
-
-
-@dataclass(frozen=True, slots=True)
-class RecordingSource:
-    """Where a run is taken from: a recording, and the instant up to which it is repeated (None: to its end)."""
-
-    path: Path
-    at_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

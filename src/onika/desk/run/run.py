@@ -16,11 +16,10 @@ from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.outcome import Outcome
-from onika.desk.run.recorded_run import RecordedRun, recorded_run
 from onika.desk.run.running_application import Running
 from onika.desk.run.runtime_conversation import RunRuntime, RuntimeConversation
 from onika.desk.run.script_player import ScriptPlayer
-from onika.desk.run.settings import RunSettings
+from onika.desk.run.settings import RecordingSource, RunSettings
 from onika.desk.run.steering_script import ScriptLine
 from onika.desk.run.world_text import drive_lines
 from onika.link.lost import LinkLost
@@ -36,6 +35,7 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 if TYPE_CHECKING:
+    from onika.desk.run.recorded_run import RecordedRun
     from onika.desk.run.remote_runtime import RemoteRuntime
 
 _RECORD = Place("--record")
@@ -199,17 +199,13 @@ def _open(
 
 def _prepared(
     settings: RunSettings, site: Site, outcome: Outcome, ready: PreparedRun | None
-) -> tuple[PreparedRun | None, RecordedRun | None]:
+) -> "tuple[PreparedRun | None, RecordedRun | None]":
     """What is to be run, from files or from a recording; the outcome is told what is wrong and worth knowing."""
-    recorded: RecordedRun | None = None
+    recorded = None
     if settings.source is not None:
-        source = recorded_run(settings.source)
-        if not isinstance(source, RecordedRun):
-            outcome.name = settings.source.path.name
-            outcome.faults += source
+        recorded = _recorded(settings.source, outcome)
+        if recorded is None:
             return None, None
-        outcome.notes += source.notes
-        recorded = source
     prepared = ready if recorded is None else recorded.prepared
     if prepared is None:
         prepared = prepare_run(settings.name, site, _by_number(settings))
@@ -217,6 +213,19 @@ def _prepared(
     outcome.faults += prepared.faults
     outcome.notes += [note.sentence for note in prepared.notes]
     return prepared, recorded
+
+
+def _recorded(source: RecordingSource, outcome: Outcome) -> "RecordedRun | None":
+    """The run to be repeated; None where it cannot be, and the outcome is told why."""
+    from onika.desk.run.recorded_run import RecordedRun, recorded_run  # within: recordings take long to load
+
+    recorded = recorded_run(source)
+    if isinstance(recorded, RecordedRun):
+        outcome.notes += recorded.notes
+        return recorded
+    outcome.name = source.path.name
+    outcome.faults += recorded
+    return None
 
 
 def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher, interruption: Interruption) -> None:
@@ -302,7 +311,7 @@ def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
 
 
 def _runtime(
-    settings: RunSettings, plan: Plan, values: WorldValues, recorded: RecordedRun | None
+    settings: RunSettings, plan: Plan, values: WorldValues, recorded: "RecordedRun | None"
 ) -> "LaunchedRuntime | RemoteRuntime":
     if recorded is not None:
         return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)

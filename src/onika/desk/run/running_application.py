@@ -13,6 +13,7 @@ a program does leads to the same run, bit for bit.
 from collections import deque
 from collections.abc import Callable, Iterator
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from msgspec import structs
 
@@ -22,7 +23,6 @@ from onika.desk.run import steering
 from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.pending_wait import PendingWait
-from onika.desk.run.recorded_run import RecordedRun
 from onika.desk.run.runtime_conversation import RunRuntime
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrder, SteeringWait
@@ -33,6 +33,9 @@ from onika.wire.runtime_standing import Standing
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
+
+if TYPE_CHECKING:
+    from onika.desk.run.recorded_run import RecordedRun
 
 Faults = tuple[Fault, ...]
 """Why something was not done; empty where it was."""
@@ -57,7 +60,7 @@ class Running:
         outcome: Outcome,
         *,
         is_held: bool,
-        recorded: RecordedRun | None = None,
+        recorded: "RecordedRun | None" = None,
         clock: Callable[[], float] = monotonic,
     ) -> None:
         self.prepared = prepared

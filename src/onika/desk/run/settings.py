@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.desk.run.recorded_run import RecordingSource
 from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.condition import Condition
@@ -16,6 +15,14 @@ class RuntimeLocation:
     url: str
     token: str = ""
     ca: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingSource:
+    """Where a run is taken from: a recording, and the instant up to which it is repeated (None: to its end)."""
+
+    path: Path
+    at_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,9 @@
 
 import os
 import socket
-import ssl
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -14,6 +14,9 @@ from onika.link.caller import Role
 from onika.link.token import digest, own_token, token_path
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
+
+if TYPE_CHECKING:
+    import ssl
 
 _CLOSED = Reason.of("host.not_started")
 
@@ -71,8 +74,10 @@ def judge(
     return place, [], token_at
 
 
-def context(certificate: str, key: str) -> ssl.SSLContext:
+def context(certificate: str, key: str) -> "ssl.SSLContext":
     """The server's side of TLS 1.2 or newer; raises OSError or ssl.SSLError for files that are none."""
+    import ssl  # within: only who is called from afar needs it
+
     made = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
     made.minimum_version = ssl.TLSVersion.TLSv1_2
     made.load_cert_chain(certificate, key)
@@ -106,7 +111,7 @@ def _secrets(wanted: ListenOptions, near: bool) -> list[Fault]:
         return faults
     try:
         context(wanted.certificate, wanted.key)
-    except (OSError, ssl.SSLError) as wrong:
+    except OSError as wrong:
         return [Fault(Place(wanted.certificate), Reason.of("host.certificate_unfit", why=reason_of(wrong)), _CLOSED)]
     return []
 

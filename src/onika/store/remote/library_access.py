@@ -10,9 +10,9 @@ from onika.files.library_index import LARGEST_FILE, IndexedFile, LibraryIndex
 from onika.store.remote.address import WebAddress, library_address
 from onika.store.remote.code_pack import unpacked
 from onika.store.remote.credential import Credential, kept_credential
+from onika.store.remote.limits import Limits
 from onika.store.remote.object_cache import ObjectCache
 from onika.store.remote.source import INDEX, FolderSource, Wanted, object_path
-from onika.store.remote.web_connection import Limits
 from onika.store.remote.web_source import CONNECTIONS, WebSource
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason

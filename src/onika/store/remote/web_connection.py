@@ -6,14 +6,13 @@ import ssl
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from threading import Timer
 from typing import TypeVar
 
-from onika.files.library_index import LARGEST_FILE
 from onika.files.state.kept_certificates import is_own, trusting_kept
 from onika.store.remote.address import WebAddress
 from onika.store.remote.credential import Credential
+from onika.store.remote.limits import Limits
 from onika.store.remote.source import Wanted
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -22,28 +21,6 @@ _T = TypeVar("_T")
 _CHUNK = 65536
 _JSON = "application/json"
 _MOVED = (301, 302, 303, 307, 308)
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """How much, how long and how slowly a server may answer, whoever it is; for one answer.
-
-    file_bytes  of one file
-    connect_s   until the server has taken the connection
-    idle_s      without a byte
-    total_s     from question to the last byte
-    rate        bytes a second that come at least, once `grace_s` have passed
-    grace_s     in which an answer may be slower
-    redirects   how often a server may send us on, to itself
-    """
-
-    file_bytes: int = LARGEST_FILE
-    connect_s: float = 10.0
-    idle_s: float = 15.0
-    total_s: float = 60.0
-    rate: float = 500.0
-    grace_s: float = 10.0
-    redirects: int = 3
 
 
 class WebConnection:

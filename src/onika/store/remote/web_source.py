@@ -3,12 +3,16 @@
 from collections import deque
 from collections.abc import Iterable, Mapping
 from threading import Lock, Thread
+from typing import TYPE_CHECKING
 
 from onika.store.remote.address import WebAddress
 from onika.store.remote.credential import Credential
+from onika.store.remote.limits import Limits
 from onika.store.remote.source import Wanted
-from onika.store.remote.web_connection import Limits, WebConnection
 from onika.words.reason import Reason
+
+if TYPE_CHECKING:
+    from onika.store.remote.web_connection import WebConnection
 
 CONNECTIONS = 6
 
@@ -17,6 +21,8 @@ class WebSource:
     """Used by one thread at a time; connections stay open from one fetching to the next, until it is closed."""
 
     def __init__(self, address: WebAddress, limits: Limits | None = None, credential: Credential | None = None) -> None:
+        from onika.store.remote.web_connection import WebConnection  # within: HTTP and TLS take long to load
+
         made = limits or Limits()
         self._connections = [WebConnection(address, made, credential) for _ in range(CONNECTIONS)]
         self._openers: list[Thread] = []
@@ -69,7 +75,7 @@ class _Fetching:
     def outcome(self) -> Mapping[str, bytes] | Reason:
         return self._files if self._refusal is None else self._refusal
 
-    def carry_out(self, connection: WebConnection) -> None:
+    def carry_out(self, connection: "WebConnection") -> None:
         """Ask for one file after the other until there is none left."""
         while True:
             with self._lock:

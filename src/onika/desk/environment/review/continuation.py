@@ -34,8 +34,9 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
-from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_run
+from onika.desk.run.recorded_run import RecordedRun, recorded_run
 from onika.desk.run.runtime_conversation import in_short
+from onika.desk.run.settings import RecordingSource
 from onika.wire import act, live, page, request, view
 from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy

@@ -15,9 +15,10 @@ from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.run_state.step_mapping import StepMapping
 from onika.desk.environment.run_state.subsystem_views import planned
 from onika.desk.environment.run_state.variable_cache import VariableCache
-from onika.desk.run.recorded_run import RecordingSource, recorded_run
+from onika.desk.run.recorded_run import recorded_run
 from onika.desk.run.recording_digest import black_box_line
 from onika.desk.run.run_review import Review, ReviewedFlow
+from onika.desk.run.settings import RecordingSource
 from onika.record.series import Series
 from onika.wire import event
 from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
