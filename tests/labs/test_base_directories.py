@@ -1,6 +1,7 @@
 """The shipped laboratories as data: every file reads without fault, and the jobs and applications fit together."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -53,12 +54,16 @@ TRIGGERS = {
     "preshape",
     "csense",
     "cfollow",
+    "fingers",
+    "gohome",
+    "planner",
 }
 MOVES = ("jmove", "cmove", "visit")
 OTHERS = ("gantry", "hill", "plate", "fingers", "modular", "motor")
 """In the names of jobs of what is no PUMA."""
 BEGINS_ELSEWHERE = {"put_back", "visit"}
 """Applications that are nested in others, and begin where those have gone."""
+APPLICATION_TESTS = Path(__file__).parents[1] / "site" / "applications"
 COUNTS = {
     PortKind.INCONST: "inconst",
     PortKind.OUTCONST: "outconst",
@@ -79,7 +84,21 @@ def read(kind, name, *more):
 
 
 def tasks_of(configuration):
-    return {placed.task: read("task", placed.task).task for placed in read("configuration", configuration).placed}
+    placed = read("configuration", configuration).placed
+    return {task.task: task.of(read("task", task.file).task) for task in placed}
+
+
+def test_every_module_stands_in_a_shipped_job():  # R-K05
+    jobs = [task.module for name in names("conf", ".conf") for task in tasks_of(name).values()]
+    assert set(names("module", ".py")) - set(jobs) == set()
+
+
+def test_every_job_is_carried_out_by_an_application_or_by_a_test_that_names_it():  # R-K05
+    carried_out = {icon.onikon.name for name in names("appl", ".appl") for icon in icons_of(name)}
+    alone = [name for name in names("conf", ".conf") if name not in carried_out]
+    tests = "".join(path.read_text("utf-8") for path in APPLICATION_TESTS.glob("*.py"))
+    spelt = {name: {name, name.replace("_right", "{arm}")} for name in alone}
+    assert [name for name in alone if not any(word in tests for word in spelt[name])] == []
 
 
 def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02

@@ -38,6 +38,15 @@ def test_a_wrench_is_what_its_device_says():  # R-K05
     assert bench["F_RAW"].tolist() == [1, 2, 3, 4, 5, 6]
 
 
+def test_a_wrench_may_be_what_holds_against_it():  # R-K05
+    device = numbers(6)
+    device.state[:] = 1, 2, 3, 4, 5, 6
+    bench = Bench(MODULES / "wrench.py", frequency=250, device=device, local={"SIGN": "-1"}).init().on().cycle()
+    assert bench["F_RAW"].tolist() == [-1, -2, -3, -4, -5, -6]
+    nothing = Bench(MODULES / "wrench.py", frequency=250, device=device, local={"SIGN": "0"}).init()
+    assert nothing.state is State.ERROR and "SIGN" in nothing.why
+
+
 @pytest.mark.parametrize(("task", "kind"), [("whereis", "pose"), ("wrench", "wrench")])
 def test_another_device_is_told(task, kind):  # R-X04
     bench = Bench(MODULES / f"{task}.py", frequency=250, device=numbers(3)).init()

@@ -13,4 +13,7 @@ MOVES       squeeze
 OPEN        0.03 0.072
 CLOSED      0 0.012
 
+SENSOR      wrench
+READS       wrist_force wrist_torque
+
 EOF
