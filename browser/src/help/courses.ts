@@ -17,9 +17,10 @@ import {
   wasDone,
   wayTaken,
 } from './programParts'
-import { isCompleted, LESSONS, topFlowsOf, type Lesson, type LessonId, type Seen } from './tutorial'
+import { isCompleted, isMine as isOfThis, LESSONS, topFlowsOf, type Lesson, type LessonId, type Seen } from './tutorial'
 
-export type CourseId = 'first' | 'loops' | 'branches' | 'meetings' | 'arms' | 'nesting' | 'faults' | 'puzzles'
+export type CourseId =
+  'first' | 'loops' | 'branches' | 'meetings' | 'arms' | 'nesting' | 'seeking' | 'faults' | 'puzzles'
 
 /** What has no lessons of its own, but puzzles, which the environment judges. */
 export const isOfPuzzles = (course: CourseId): boolean => course === 'faults' || course === 'puzzles'
@@ -30,6 +31,9 @@ const example = (id: LessonId, name: string, more: (seen: Seen) => boolean): Les
   example: name,
   isDone: (seen) => seen.view?.name === name && isCompleted(seen) && more(seen),
 })
+
+/** The program that is broken to see what becomes of it. */
+const GRASP = 'try_to_grasp'
 
 export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
   first: LESSONS,
@@ -90,6 +94,13 @@ export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
         isCompleted(seen) && nested(seen).some((number) => isOwn(seen, number) && timesOf(seen, number) > 0),
     },
   ],
+  seeking: [
+    example('seekSee', GRASP, (seen) => !seen.view?.is_dirty),
+    { id: 'seekRefused', isDone: (seen) => isGrasp(seen) && !!seen.view?.holes },
+    { id: 'seekMended', goesWith: 'seekRefused', isDone: (seen) => isGrasp(seen) && !seen.view?.holes },
+    { id: 'seekStops', isDone: (seen) => isGrasp(seen) && !!seen.view?.is_dirty && hasStopped(seen) },
+    { id: 'seekOwn', isDone: (seen) => isGrasp(seen) && !!seen.view?.is_dirty && isCompleted(seen) },
+  ],
   faults: [],
   puzzles: [],
 }
@@ -100,6 +111,11 @@ export const COURSE_IDS = Object.keys(COURSES) as CourseId[]
 function isMine(seen: Seen, shipped: string): boolean {
   return seen.isUpper && seen.view !== undefined && seen.view.name !== shipped
 }
+
+const isGrasp = (seen: Seen): boolean => seen.isUpper && seen.view?.name === GRASP
+
+/** Whether a flow of the run of this program has stood still because something was wrong. */
+const hasStopped = (seen: Seen): boolean => isOfThis(seen) && Object.keys(seen.run?.stops ?? {}).length > 0
 
 /** Whether two arms, each in a flow of its own, have done something. */
 const haveMoved = (seen: Seen): boolean => twoArms(seen)?.every((flow) => wasDone(seen, flow)) === true

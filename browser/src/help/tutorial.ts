@@ -26,6 +26,11 @@ type OfCourses =
   | 'nestUse'
   | 'nestRun'
   | 'nestOwn'
+  | 'seekSee'
+  | 'seekRefused'
+  | 'seekMended'
+  | 'seekStops'
+  | 'seekOwn'
 export type LessonId =
   'new' | 'complete' | 'job' | 'fill' | 'out' | 'back' | 'run' | 'pause' | 'goOn' | 'end' | 'save' | OfCourses
 
@@ -81,7 +86,7 @@ function hasAction(seen: Seen, with_: (step: StepView) => boolean, name = ''): b
 
 const flowsOf = ({ run }: Seen): string[] =>
   Object.values(run?.flows ?? {}).flatMap((flow) => [flow.state ?? 'ready', ...(flow.is_pausing ? ['pausing'] : [])])
-const isMine = ({ run, app }: Seen): boolean => run !== null && run.doc === app
+export const isMine = ({ run, app }: Seen): boolean => run !== null && run.doc === app
 const isRunning = (seen: Seen): boolean => isMine(seen) && (seen.run?.state ?? 'beginning') === 'running'
 const isPaused = (seen: Seen): boolean =>
   isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')

@@ -28,7 +28,10 @@ function touches({ worlds = [], unwatched = [] }: ForecastView): ForecastLine[] 
 }
 
 /** How long it takes and how everything stands then, or why that is not known. */
-function outlook({ state, cause, lasts_s = 0, standing = [] }: ForecastView): string {
+function outlook({ state, cause, mishaps, lasts_s = 0, standing = [] }: ForecastView): string {
+  // Where something happens that is marked at its icon, that says it, and better than what a task said at last.
+  const isOverEarly = !cause?.key?.startsWith('desk.forecast_') // those say why nobody looked further
+  if (state === 'part' && mishaps && isOverEarly) return t('forecast.stops', { lasts: Number(lasts_s.toFixed(1)) })
   if (state === 'part') return t('forecast.part', { why: say(cause) })
   const lasts = Number(lasts_s.toFixed(1))
   const ends = standing.map((reason) => say(reason)).join(', ')

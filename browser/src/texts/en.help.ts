@@ -167,6 +167,21 @@ export const enHelp = {
   'tutorial.nestOwn': 'Find out: make a picture of a program of your own, and use that',
   'tutorial.nestOwnHow':
     'Save a program, and take “As icon…” below its name. Then put the new picture into another program and run it. What does it have to leave open to take a target?',
+  'tutorial.course.seeking': 'How to look for a fault',
+  'tutorial.seekSee': 'See a program that works',
+  'tutorial.seekSeeHow':
+    'Open it and press Run: the hand takes the box with the triangle and puts it back. Read the sentences below; this is what it should do.',
+  'tutorial.seekRefused': 'Break it, and see where it is refused',
+  'tutorial.seekRefusedHow':
+    'Click the target behind “move the joints” and press `Delete`. Run is grey now: above it stands what is missing, and a click on that shows where.',
+  'tutorial.seekMended': 'Mend it',
+  'tutorial.seekMendedHow': '`Ctrl Z`, or fill the hole again. What kept it from running is gone.',
+  'tutorial.seekStops': 'Break it so that it runs, and stops on its way',
+  'tutorial.seekStopsHow':
+    'Put “close the hand” in place of “open the hand”. A moment later the forecast beneath Run says what will happen, and an icon is marked. Run it all the same: why did it stop, and at which icon? Then take “End the run”.',
+  'tutorial.seekOwn': 'Find out: break it so that nothing stops it, and yet it does not do what it should',
+  'tutorial.seekOwnHow':
+    '`Ctrl Z` until it is as it was; then change something else, and run it. All its actions are done, so neither Run nor the forecast say anything: what does? Ticks, times, sentences, the workcell. It counts when the changed program has run to its end.',
   'tutorial.course.faults': 'Finding a fault',
   'tutorial.course.puzzles': 'Puzzles',
   'puzzle.title': 'Puzzles',

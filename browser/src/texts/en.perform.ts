@@ -29,6 +29,7 @@ export const enPerform = {
   'forecast.going': 'Looking ahead…',
   'forecast.whole': 'It will take {lasts} s.',
   'forecast.wholeEnds': 'It will take {lasts} s; then: {ends}.',
+  'forecast.stops': 'It would stop after {lasts} s.',
   'forecast.part': 'Not foreseen to its end: {why}',
   'forecast.mishaps':
     'On the way {n} thing goes wrong; its icon is marked.|On the way {n} things go wrong; their icons are marked.',

@@ -171,6 +171,21 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.nestOwn': 'Averigüe: haga una imagen de un programa suyo, y úsela',
   'tutorial.nestOwnHow':
     'Guarde un programa y elija «Como icono…» debajo de su nombre. Ponga la imagen nueva en otro programa y ejecútelo. ¿Qué debe dejar abierto para tomar un objetivo?',
+  'tutorial.course.seeking': 'Cómo se busca un fallo',
+  'tutorial.seekSee': 'Vea un programa que funciona',
+  'tutorial.seekSeeHow':
+    'Ábralo y pulse Ejecutar: la mano toma la caja con el triángulo y la devuelve a su sitio. Lea las frases de abajo; esto es lo que debe hacer.',
+  'tutorial.seekRefused': 'Estropéelo y vea dónde se rechaza',
+  'tutorial.seekRefusedHow':
+    'Haga clic en el objetivo que sigue a «mueve las articulaciones» y pulse `Supr`. Ejecutar está gris: encima dice qué falta, y un clic allí muestra dónde.',
+  'tutorial.seekMended': 'Arréglelo',
+  'tutorial.seekMendedHow': '`Ctrl Z`, o rellene otra vez el hueco. Ya no hay nada que impida ejecutarlo.',
+  'tutorial.seekStops': 'Estropéelo de modo que se ejecute y se pare por el camino',
+  'tutorial.seekStopsHow':
+    'Ponga «cierra la mano» en lugar de «abre la mano». Un momento después la previsión, debajo de Ejecutar, dice qué pasará, y un icono queda marcado. Ejecútelo igualmente: ¿por qué se paró, y en qué icono? Después elija «Terminar la ejecución».',
+  'tutorial.seekOwn': 'Averigüe: estropéelo de modo que nada lo pare y aun así no haga lo que debe',
+  'tutorial.seekOwnHow':
+    '`Ctrl Z` hasta que esté como antes; después cambie otra cosa y ejecútelo. Se hacen todas las acciones, así que ni Ejecutar ni la previsión dicen nada: ¿qué lo dice? Marcas, tiempos, frases, la célula. Cuenta cuando el programa cambiado ha llegado a su final.',
   'tutorial.course.faults': 'Encontrar un fallo',
   'tutorial.course.puzzles': 'Rompecabezas',
   'puzzle.title': 'Rompecabezas',

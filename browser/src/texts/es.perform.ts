@@ -31,6 +31,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'forecast.going': 'Mirando adelante…',
   'forecast.whole': 'Durará {lasts} s.',
   'forecast.wholeEnds': 'Durará {lasts} s; después: {ends}.',
+  'forecast.stops': 'Se pararía después de {lasts} s.',
   'forecast.part': 'No se prevé hasta el final: {why}',
   'forecast.mishaps':
     'En el camino {n} cosa sale mal; su icono está marcado.|En el camino {n} cosas salen mal; sus iconos están marcados.',

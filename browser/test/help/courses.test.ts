@@ -75,6 +75,10 @@ const isDone = (id: LessonId, view: ApplicationView, run: RunView | null = null)
 const named = (name: string, flows: Record<string, StepView[]>, more: Partial<ApplicationView> = {}): ApplicationView =>
   view(flows, { name, ...more })
 const incomplete = { is_completed: false }
+const stopped: Partial<RunView> = {
+  is_completed: false,
+  stops: { flow0: { text: { key: 'x' } as never, kind: 'error', at_s: 1 } },
+}
 const ofAnother = { doc: 'a2' }
 
 /** Per course: a lesson, what it needs to be seen, and what looks like it and is not. */
@@ -245,6 +249,45 @@ const LOOKS: Partial<Record<LessonId, { is: Look; isNot: Look[] }>> = {
       [view({ 0: [A, MOVE], 1: [RIGHT_A] }, parallel), over({ 1: 1, 2: 1, 3: 1 }, meeting('A'))],
       [view({ 0: [MOVE, A], 1: [MOVE_RIGHT, RIGHT_A] }, parallel), over({ 1: 1, 2: 1, 3: 1 }, meeting('A'))],
       [view({ 0: [MOVE, A], 1: [RIGHT_A] }, parallel), over({ 1: 1, 2: 1, 3: 1 })],
+    ],
+  },
+  seekSee: {
+    is: [named('try_to_grasp', { 0: [MOVE] }), over()],
+    isNot: [
+      [view({ 0: [MOVE] }), over()],
+      [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over()],
+      [named('try_to_grasp', { 0: [MOVE] }), over({}, incomplete)],
+    ],
+  },
+  seekRefused: {
+    is: [named('try_to_grasp', { 0: [MOVE] }, { holes: 1 }), null],
+    isNot: [
+      [named('try_to_grasp', { 0: [MOVE] }), null],
+      [view({ 0: [MOVE] }, { holes: 1 }), null],
+    ],
+  },
+  seekMended: {
+    is: [named('try_to_grasp', { 0: [MOVE] }), null],
+    isNot: [
+      [named('try_to_grasp', { 0: [MOVE] }, { holes: 1 }), null],
+      [view({ 0: [MOVE] }), null],
+    ],
+  },
+  seekStops: {
+    is: [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over({}, { ...stopped, state: 'running' })],
+    isNot: [
+      [named('try_to_grasp', { 0: [MOVE] }), over({}, stopped)],
+      [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over()],
+      [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over({}, { ...stopped, ...ofAnother })],
+      [view({ 0: [MOVE] }, { is_dirty: true }), over({}, stopped)],
+    ],
+  },
+  seekOwn: {
+    is: [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over()],
+    isNot: [
+      [named('try_to_grasp', { 0: [MOVE] }), over()],
+      [named('try_to_grasp', { 0: [MOVE] }, { is_dirty: true }), over({}, incomplete)],
+      [view({ 0: [MOVE] }, { is_dirty: true }), over()],
     ],
   },
   nestSee: {

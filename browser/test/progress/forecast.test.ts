@@ -33,6 +33,16 @@ test('what goes wrong takes the place of what is clear', () => {
   expect(lines[1]!.text).toBe('On the way 2 things go wrong; their icons are marked.')
 })
 
+test('one that is over early where something is marked says when, and not in the words of a task', () => {
+  const cause = plain('x.appl:4: ctraj is in error')
+  expect(texts({ state: 'part', lasts_s: 4.04, mishaps: 1, cause }, true).slice(0, 2)).toEqual([
+    'It would stop after 4 s.',
+    'On the way 1 thing goes wrong; its icon is marked.',
+  ])
+  const long = { ...cause, key: 'desk.forecast_long' }
+  expect(texts({ state: 'part', mishaps: 1, cause: long } as never, true)[0]).toMatch(/^Not foreseen to its end/)
+})
+
 test('one that does not reach the end says why, and promises nothing of what comes behind', () => {
   expect(texts({ state: 'part', cause: plain('it asks for a value') }, true)).toEqual([
     'Not foreseen to its end: it asks for a value',
