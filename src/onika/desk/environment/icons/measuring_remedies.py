@@ -1,5 +1,6 @@
 """What could be done so that something measures what a target says (requirement X01)."""
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
@@ -41,14 +42,23 @@ def _ways(model: Model, wanted: frozenset[str], kind: IconType) -> Iterator[Reme
 
 
 def _files(model: Model, wanted: frozenset[str], kind: IconType) -> Iterator[str]:
-    """The configurations that could be opened: jobs of the target first, then those of few tasks."""
+    """The configurations that could be opened: jobs of the target first, of these the usual ones, that of few tasks.
+
+    A configuration is as usual as its rarest task that drives nothing.
+    """
     opened = {str(document.opened.path) for document in model.documents.values() if document.opened}
-    able_files: list[tuple[bool, int, str]] = []
-    for path, source in model.sources.items():
-        placed = source.tasks(model.libraries.tasks) if isinstance(source, Configuration) else {}
+    configurations = {
+        path: source.tasks(model.libraries.tasks)
+        for path, source in model.sources.items()
+        if isinstance(source, Configuration)
+    }
+    usage = Counter(task.module for tasks in configurations.values() for task in tasks.values())
+    able_files: list[tuple[bool, int, int, str]] = []
+    for path, placed in configurations.items():
         if path not in opened and _writers(placed, wanted):
-            able_files.append((not _is_job_of(placed, kind, model), len(placed), path))
-    yield from (path for _, _, path in sorted(able_files))
+            usages = [usage[task.module] for task in placed.values() if not _drives(model, task)]
+            able_files.append((not _is_job_of(placed, kind, model), -min(usages, default=0), len(placed), path))
+    yield from (path for *_, path in sorted(able_files))
 
 
 def _is_job_of(tasks: Mapping[str, Task], kind: IconType, model: Model) -> bool:
