@@ -226,6 +226,7 @@ class FileWorld(DrivenWorld):
         self._robots = self._stands.present()
         parts, step_s = self._composition.parts, self.step_ns * 1e-9
         self._hands = CellHands(self._plant, self._robots, self._stands.arms(), parts, step_s)
+        self._hindrance: CellHindrance | None = None
         for button in self._composition.world.buttons:
             if button.name in self._buttons:
                 self._buttons[button.name].units = tuple(self._stopped_by(button))
@@ -253,8 +254,10 @@ class FileWorld(DrivenWorld):
         arms = self._stands.arms()
         if not isinstance(unit, JointUnit) or unit not in arms:
             return ()
-        has_forces = not self._stands.mode
-        hindrance = CellHindrance(self._plant, self._composition.world, arms, has_forces=has_forces)
+        if self._hindrance is None:
+            world, has_forces = self._composition.world, not self._stands.mode
+            self._hindrance = CellHindrance(self._plant, world, arms, has_forces=has_forces)
+        hindrance = self._hindrance
         return hindrance.place(unit), hindrance.told(unit, self._hands.held(unit, self._forceless))
 
     def _now(self) -> int:

@@ -61,9 +61,10 @@ class FingerWay:
         data.ctrl[unit.motors] = signal
         still_q, still_v = np.ones(model.nq, dtype=bool), np.ones(model.nv, dtype=bool)
         still_q[self._q_at], still_v[self._v_at] = False, False
+        places, speeds, there = data.qpos, data.qvel, plant.data.qpos[still_q]
         for _ in range(round(_TRIED_S / model.opt.timestep)):
             mujoco.mj_step(model, data)
-            data.qpos[still_q], data.qvel[still_v] = plant.data.qpos[still_q], 0.0
+            places[still_q], speeds[still_v] = there, 0.0
         mujoco.mj_kinematics(model, data)
         return data
 
