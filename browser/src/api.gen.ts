@@ -801,9 +801,27 @@ export interface DropLibrary {
   library: string;
 }
 
+/** Ask what the user's own copies change in a library of others; a tuple of `view.OwnChangeView`. */
+export interface ListOwnChanges {
+  t: 'ListOwnChanges';
+  library: string;
+}
+
 /** Ask which libraries of others are used; a tuple of `view.UsedLibraryView`. */
 export interface ListRemoteLibraries {
   t: 'ListRemoteLibraries';
+}
+
+/** Send own changes back to the site of a library; the value is a `view.SentBackView`. Where others have changed the same meanwhile nothing is sent until the user has seen both. */
+export interface SendBack {
+  t: 'SendBack';
+  library: string;
+  paths: (string)[];
+  note?: string;
+  agreed?: string;
+  is_mine?: boolean;
+  user?: string;
+  secret?: string;
 }
 
 /** Use what was looked at: its signer is trusted, and what its tasks write and touch is agreed to. Where it is used already the newer version takes its place. What is fetched is run by nobody. */
@@ -1698,6 +1716,15 @@ export interface PuzzleView {
   best?: BestView | null;
 }
 
+/** A file that was not sent, because others have changed it meanwhile. */
+export interface HeldFileView {
+  path: string;
+  mine?: string;
+  other?: string;
+  contradicts?: boolean;
+  is_text?: boolean;
+}
+
 /** One thing that a library offers: a task, configuration, icon, application or world. */
 export interface OfferEntryView {
   kind: string;
@@ -1724,6 +1751,26 @@ export interface OfferView {
   refusal?: Reason | null;
 }
 
+/** A file of a library before which a copy of the user's own stands that says something else. */
+export interface OwnChangeView {
+  path: string;
+  before?: string;
+  mine?: string;
+  is_text?: boolean;
+}
+
+/** What has become of own changes. */
+export interface SentBackView {
+  library: string;
+  version?: number;
+  paths?: (string)[];
+  merged?: (string)[];
+  is_behind?: boolean;
+  held?: (HeldFileView)[];
+  agreement?: string;
+  folder?: string;
+}
+
 /** A library of others that is used. */
 export interface UsedLibraryView {
   name: string;
@@ -1734,6 +1781,7 @@ export interface UsedLibraryView {
   until: string;
   folder: string;
   lacking?: number;
+  changed?: number;
 }
 
 /** How far the replay of a session is, and the line that was carried out last, in the columns of the log. */
@@ -2475,6 +2523,6 @@ export interface TeacherAct {
   text: string;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | ListPuzzles | BeginPuzzle | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | ListPuzzles | BeginPuzzle | BringBack | ListRemoteLibraries | BrowseLibrary | TakeLibrary | DropLibrary | ListOwnChanges | SendBack | LookAtNetwork | AddPlace | DropPlace | TrustSite | Connect | AddStation | PlaceFlow | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | LookAtBookings | BookRobot | ProlongBooking | TakeBackBooking | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | SteerReplay | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | ShareRecording | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

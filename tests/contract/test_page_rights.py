@@ -27,13 +27,13 @@ ShareRecording SteerReplay"""
 PROGRAMMER = """New Save Reload Keep Undo Redo Place Exchange Remove Move Flip Align Arrange Show Copy Cut Paste Group
 Ungroup SaveGroup Insert Rate Unit OpenLibrary CloseLibrary Alias LibraryRate Local KeepSet SwitchSet
 RemoveSet SaveTask ForgetTask ReadText WriteText NewModule ArrangeTask ArrangeIcon LoadModule
-CompareWithShipped GoBackToShipped ListReplaced BringBack ListRemoteLibraries BrowseLibrary LookAtNetwork
+CompareWithShipped GoBackToShipped ListReplaced BringBack ListRemoteLibraries ListOwnChanges BrowseLibrary LookAtNetwork
 Renew Draft
 MakeJob Prefer Press Halt NewApplication InsertIcon InsertBranch SetConditions ExchangeIcon RemoveIcons
 MoveIcons CopyIcons CutIcons PasteIcons EditIcon SetBreakpoint SetSynchTag SetLoop RepeatSteps
 RemoveLoop AddFlow RemoveFlow SetParallel OpenDictionary CloseDictionary MakeTarget EditOnikon
 RemoveOnikon Continue KeepTest ListPuzzles BeginPuzzle"""
-OWNER = """StartAnew SetButton TakeLibrary DropLibrary AddPlace DropPlace TrustSite"""
+OWNER = """StartAnew SetButton TakeLibrary DropLibrary SendBack AddPlace DropPlace TrustSite"""
 ROWS = dict(zip(Role, (WATCHER, OPERATOR, PROGRAMMER, OWNER), strict=True))
 KINDS = get_args(act.AnyAct)
 

@@ -5,6 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from kit.labs.kept_library import KeptLibrary
 from kit.labs.library_site import LibrarySite, wink
 from onika.store.shipped import shipped
 
@@ -69,3 +70,35 @@ def test_a_library_of_others_is_looked_at_trusted_and_used(me, site):  # R-F03, 
     me.page.keyboard.press("Escape")
     me.libraries("far.wings")
     expect(me.icon("wink")).to_be_visible()
+
+
+def test_a_changed_copy_is_sent_back_and_a_contradiction_shows_both(me, program, site):  # R-F03
+    path, home = "module/wink.rmod", program.home / "onika"
+    with KeptLibrary(site.base.parent, site) as kept:
+        me.page.keyboard.press("Control+k")
+        me.page.keyboard.type("Libraries of others")
+        me.page.keyboard.press("Enter")
+        panel = me.page.get_by_role("dialog", name="Libraries of others")
+        panel.get_by_role("textbox", name="Address of a library").fill(kept.server.address)
+        panel.get_by_role("button", name="Look", exact=True).click()
+        panel.get_by_role("button", name="Trust this key and use the library").click()
+        expect(panel).to_contain_text("You use this version.")
+        (home / "module").mkdir(exist_ok=True)
+        (home / path).write_text(wink(says="winks for me"))
+        kept.change((path, wink(), wink(says="winks for others")))
+        panel.get_by_role("button", name="What is new in far.wings").click()
+        expect(panel).to_contain_text("1 changed here")
+        kept.server.password = "ann:secret"
+        panel.get_by_role("button", name="Send back changes of far.wings").click()
+        panel.get_by_role("textbox", name="What you have changed").fill("for all of us")
+        panel.get_by_role("button", name="Send 1 file").click()
+        panel.get_by_label("Name", exact=True).fill("ann")
+        panel.get_by_label("Password or token").fill("secret")
+        panel.get_by_role("button", name="Send 1 file").click()
+        expect(panel.get_by_role("alert")).to_contain_text("others have changed module/wink.rmod in the same lines")
+        expect(panel.get_by_role("region", name="Differences")).to_contain_text("winks for others")
+        assert "winks for others" in kept.text(path)
+        panel.get_by_role("button", name="Mine takes its place").click()
+        expect(panel.get_by_role("status")).to_contain_text("far.wings has it, in version 3.")
+        assert kept.text(path) == wink(says="winks for me")
+        expect(panel).not_to_contain_text("changed here")

@@ -1,6 +1,6 @@
 // Two texts of one file: what differs, and what to keep.
 import { describe, expect, test } from 'vitest'
-import { around, differences, type Line } from '../../src/task/diff'
+import { around, differences, type Line } from '../../src/widgets/diff'
 
 const written = (lines: (Line | null)[]): string =>
   lines.map((line) => (line ? `${{ both: ' ', first: '-', second: '+' }[line.kind]}${line.text}` : '...')).join('\n')

@@ -1,60 +1,16 @@
-from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.library_desk import LibraryDesk
 from kit.labs.laboratory import Laboratory, job
 from kit.labs.library_server import LibraryServer
-from kit.labs.library_site import TODAY, LibrarySite, new_key, wink
+from kit.labs.library_site import LibrarySite, new_key, wink
 from onika.desk.environment.diary_values import given
-from onika.desk.environment.initial_model import opened
-from onika.desk.environment.outcome.library_services import LibraryServices
-from onika.desk.environment.outcome.worker import BackgroundWorker
-from onika.store.live_path import LivePath
 from onika.store.remote.checkout import is_fetched
-from onika.store.remote.library_access import LibraryAccess
-from onika.store.remote.lock_file import LockFile
-from onika.store.remote.object_cache import ObjectCache
-from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.shipped import shipped
-from onika.store.site import open_site
 from onika.wire import act
-from onika.wire.view import OfferView
-
-
-class LibraryDesk(EnvironmentFixture):
-    """An environment of a user who has a home and a cache."""
-
-    def __init__(self, folder: Path) -> None:
-        (folder / "home").mkdir(exist_ok=True)
-        site = open_site([], {"XDG_CACHE_HOME": str(folder / "cache")}, folder / "home")
-        path = LivePath(site.directories)
-        site = replace(site, directories=path)
-        model, _ = opened(site, None, {})
-        super().__init__(folder, (), model, site)
-        assert site.own is not None
-        access = LibraryAccess(ObjectCache(folder / "cache" / "onika"), folder / "state")
-        libraries = RemoteLibraries(LockFile(site.own), access)
-        remote = LibraryServices(BackgroundWorker(self.changes.put), libraries, path)
-        noon = datetime.combine(TODAY, datetime.min.time(), UTC).timestamp() + 43200
-        self.surroundings = replace(self.surroundings, remote=remote, calendar=lambda: noon)
-        self.begin(model)
-
-    def value(self, command: act.AnyAct):
-        answer = self.later(command)
-        assert answer.no is None, answer.no
-        return answer.value
-
-    def browse(self, site: LibrarySite) -> OfferView:
-        return self.value(act.BrowseLibrary(str(site.folder)))
-
-    def take(self, site: LibrarySite) -> str:
-        return self.value(act.TakeLibrary(str(site.folder), self.browse(site).digest))
-
-    def tasks(self) -> set[str]:
-        return set(self.environment.tree.tasks)
 
 
 @pytest.fixture

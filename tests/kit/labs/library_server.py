@@ -28,7 +28,7 @@ class LibraryServer:
         self.asked: list[str] = []
         self.connections = 0
         self.stop = Event()
-        self._password = password
+        self.password = password
         self._delay_s = delay_s
         self._lock = Lock()
         self._socket = socket.create_server(("127.0.0.1", 0), backlog=64)
@@ -77,7 +77,7 @@ class LibraryServer:
         if path in self.answers:
             self.answers[path](connection)
             return
-        if self._password and f"\r\nAuthorization: {self._wanted()}\r\n" not in head:
+        if self.password and f"\r\nAuthorization: {self._wanted()}\r\n" not in head:
             connection.sendall(b"HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n")
             return
         file = self.folder / path
@@ -87,7 +87,7 @@ class LibraryServer:
             connection.sendall(b"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n")
 
     def _wanted(self) -> str:
-        return "Basic " + base64.b64encode(self._password.encode()).decode()
+        return "Basic " + base64.b64encode(self.password.encode()).decode()
 
 
 def answer(content: bytes, *, length: int | None = None, kind: str = "text/plain") -> bytes:

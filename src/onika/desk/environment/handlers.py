@@ -2,7 +2,16 @@
 
 from collections.abc import Mapping
 
-from onika.desk.environment import buttons, diary, network, own_copies, own_undo, preferences, remote_libraries
+from onika.desk.environment import (
+    buttons,
+    diary,
+    network,
+    own_copies,
+    own_undo,
+    preferences,
+    remote_libraries,
+    sent_back,
+)
 from onika.desk.environment.canvas import (
     check,
     clipboard,
@@ -114,6 +123,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.BrowseLibrary: remote_libraries.browse_library,
     act.TakeLibrary: remote_libraries.take_library,
     act.DropLibrary: remote_libraries.drop_library,
+    act.ListOwnChanges: sent_back.list_own_changes,
+    act.SendBack: sent_back.send_back,
     act.LookAtNetwork: network.look,
     act.AddPlace: network.add_place,
     act.DropPlace: network.drop_place,

@@ -21,6 +21,7 @@ from onika.store.remote.credential import Credential
 from onika.store.remote.index_check import refusal
 from onika.store.remote.library_access import PASSWORD_REASONS
 from onika.store.remote.library_changes import changes
+from onika.store.remote.own_changes import own_changes
 from onika.store.remote.remote_libraries import NewerVersion, Offer, RemoteLibraries
 from onika.wire import act, page
 from onika.wire.view import OfferEntryView, OfferView, UsedLibraryView
@@ -104,6 +105,7 @@ def _used(libraries: RemoteLibraries) -> tuple[UsedLibraryView, ...]:
                 library.until.isoformat(),
                 str(checkout.folder),
                 len(checkout.lacking()),
+                len(own_changes(checkout)),
             )
         )
     return tuple(views)

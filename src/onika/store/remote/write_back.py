@@ -47,11 +47,13 @@ class Unsent:
     """Nothing was sent: these files contradict what others have changed, or nobody has looked at what was merged.
 
     folder      where all versions of them lie
+    proposal    what would have been sent, and what contradicts it
     """
 
     folder: Path
     contradicting: tuple[str, ...]
     merged: tuple[str, ...]
+    proposal: Proposal
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +111,8 @@ class WriteBack:
             self._laid_out(proposal, folder)
             merged = tuple(file.path for file in proposal.merged)
             if proposal.contradictions or (merged and not self.agrees(proposal, folder)):
-                return Unsent(folder, tuple(conflict.path for conflict in proposal.contradictions), merged)
+                contradicting = tuple(conflict.path for conflict in proposal.contradictions)
+                return Unsent(folder, contradicting, merged, proposal)
             return self._put_in_place(proposal)
         except OSError as error:
             return system_reason(error)

@@ -46,7 +46,16 @@ _OPERATING: frozenset[type] = frozenset(
 )
 
 _OWNING: frozenset[type] = frozenset(
-    (act.StartAnew, act.SetButton, act.TakeLibrary, act.DropLibrary, act.AddPlace, act.DropPlace, act.TrustSite)
+    (
+        act.StartAnew,
+        act.SetButton,
+        act.TakeLibrary,
+        act.DropLibrary,
+        act.SendBack,
+        act.AddPlace,
+        act.DropPlace,
+        act.TrustSite,
+    )
 )
 
 _PROGRAMMING: frozenset[type] = frozenset(
@@ -58,7 +67,15 @@ _PROGRAMMING: frozenset[type] = frozenset(
         *(act.KeepSet, act.SwitchSet, act.RemoveSet, act.SaveTask, act.ForgetTask),
         *(act.ReadText, act.WriteText, act.NewModule, act.ArrangeTask, act.ArrangeIcon, act.LoadModule),
         *(act.CompareWithShipped, act.GoBackToShipped, act.ListReplaced, act.BringBack),
-        *(act.ListRemoteLibraries, act.BrowseLibrary, act.LookAtNetwork, act.Renew, act.Draft, act.MakeJob),
+        *(
+            act.ListRemoteLibraries,
+            act.ListOwnChanges,
+            act.BrowseLibrary,
+            act.LookAtNetwork,
+            act.Renew,
+            act.Draft,
+            act.MakeJob,
+        ),
         *(act.Prefer, act.Press, act.Halt),
         *(
             act.ListPuzzles,

@@ -133,7 +133,9 @@ from onika.wire.act.puzzle import BeginPuzzle as BeginPuzzle, ListPuzzles as Lis
 from onika.wire.act.remote_library import (
     BrowseLibrary as BrowseLibrary,
     DropLibrary as DropLibrary,
+    ListOwnChanges as ListOwnChanges,
     ListRemoteLibraries as ListRemoteLibraries,
+    SendBack as SendBack,
     TakeLibrary as TakeLibrary,
 )
 from onika.wire.act.review import (
@@ -253,6 +255,8 @@ AnyAct = (
     | BrowseLibrary
     | TakeLibrary
     | DropLibrary
+    | ListOwnChanges
+    | SendBack
     | LookAtNetwork
     | AddPlace
     | DropPlace

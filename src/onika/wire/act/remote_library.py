@@ -31,3 +31,28 @@ class DropLibrary(Act, frozen=True):
     """Use a library of others no longer; what was placed of it stays."""
 
     library: str
+
+
+class ListOwnChanges(Act, frozen=True):
+    """Ask what the user's own copies change in a library of others; a tuple of `view.OwnChangeView`."""
+
+    library: str
+
+
+class SendBack(Act, frozen=True):
+    """Send own changes back to the site of a library; the value is a `view.SentBackView`.
+
+    Where others have changed the same meanwhile nothing is sent until the user has seen both.
+    """
+
+    library: str
+    paths: tuple[str, ...]
+    note: str = ""
+    """What was changed, in the user's words; it stands in the audit trail of the site."""
+    agreed: str = ""
+    """Names the merged files that were shown and agreed to; what would be another merger is shown first."""
+    is_mine: bool = False
+    """Whether the user's own takes the place of theirs where both contradict."""
+    user: str = ""
+    secret: str = ""
+    """As of `BrowseLibrary`."""

@@ -64,8 +64,11 @@ from onika.wire.view.puzzle import (
     PuzzleView as PuzzleView,
 )
 from onika.wire.view.remote_library import (
+    HeldFileView as HeldFileView,
     OfferEntryView as OfferEntryView,
     OfferView as OfferView,
+    OwnChangeView as OwnChangeView,
+    SentBackView as SentBackView,
     UsedLibraryView as UsedLibraryView,
 )
 from onika.wire.view.replay import ReplayView as ReplayView

@@ -20,6 +20,8 @@ class UsedLibraryView(View, frozen=True):
     """Its base directory."""
     lacking: int = 0
     """Files that are not fetched yet."""
+    changed: int = 0
+    """Files before which a copy of the user's own stands that says something else."""
 
 
 class OfferEntryView(View, frozen=True):
@@ -53,3 +55,43 @@ class OfferView(View, frozen=True):
     """Of a library that is used: tasks, and what each would write or touch beyond what was agreed to."""
     refusal: Reason | None = None
     """Why it may not be taken in place of what is used."""
+
+
+class OwnChangeView(View, frozen=True):
+    """A file of a library before which a copy of the user's own stands that says something else."""
+
+    path: str
+    before: str = ""
+    """What it was begun with; empty where there was nothing."""
+    mine: str = ""
+    is_text: bool = True
+    """Whether both can be shown."""
+
+
+class HeldFileView(View, frozen=True):
+    """A file that was not sent, because others have changed it meanwhile."""
+
+    path: str
+    mine: str = ""
+    other: str = ""
+    """What they have made of it where both contradict, else both changes in one text."""
+    contradicts: bool = False
+    is_text: bool = True
+
+
+class SentBackView(View, frozen=True):
+    """What has become of own changes."""
+
+    library: str
+    version: int = 0
+    """The version of the library in which they stand; 0: nothing was sent."""
+    paths: tuple[str, ...] = ()
+    merged: tuple[str, ...] = ()
+    """Files that hold what others have changed, too; the own ones do so now as well."""
+    is_behind: bool = False
+    """Whether the library has more that is new, to which the user has to agree first."""
+    held: tuple[HeldFileView, ...] = ()
+    agreement: str = ""
+    """Names what is held and merged, to be agreed to."""
+    folder: str = ""
+    """Where all versions of what is held lie as files."""
