@@ -1,4 +1,4 @@
-"""`onika new module`, `onika new robot`: a module from a template, or of a model all that runs a robot."""
+"""`onika new module`, `guest`, `robot`: a module or a guest from a template, or of a model all that runs a robot."""
 
 import argparse
 import sys
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.cli.search_path import site_here
+from onika.desk.plan.guest_template import create_guest
 from onika.desk.plan.module_template import create_module
 from onika.desk.plan.robot_files import create_robot
 from onika.words.reason import Reason, reason_of
@@ -18,7 +19,7 @@ def purpose() -> Reason:
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("kind", choices=["module", "robot"], help=say(Reason.of("cli.new_kind")))
+    parser.add_argument("kind", choices=["module", "guest", "robot"], help=say(Reason.of("cli.new_kind")))
     parser.add_argument("name", metavar="NAME", help=say(Reason.of("cli.new_name")))
     parser.add_argument(
         "--in", dest="base", type=Path, default=Path(), metavar="DIR", help=say(Reason.of("cli.new_in"))
@@ -29,14 +30,15 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Make it."""
     try:
-        return _robot(given) if given.kind == "robot" else _module(given)
+        return _robot(given) if given.kind == "robot" else _from_template(given)
     except (ValueError, OSError) as wrong:
         print(say(reason_of(wrong)), file=sys.stderr)
         return 1
 
 
-def _module(given: argparse.Namespace) -> int:
-    paths = create_module(given.name, given.base)
+def _from_template(given: argparse.Namespace) -> int:
+    create = create_guest if given.kind == "guest" else create_module
+    paths = create(given.name, given.base)
     for path in paths:
         print(path)
     print(say(Reason.of("cli.new_next", base=str(given.base), test=str(paths[-1]))))

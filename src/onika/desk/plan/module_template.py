@@ -1,6 +1,7 @@
 """Creates a new module from a template: its code, its `.rmod` and its test, in a base directory."""
 
 import keyword
+from collections.abc import Mapping
 from pathlib import Path
 
 from onika.files import whole
@@ -71,21 +72,30 @@ def test_{identifier}_multiplies_by_its_gain():
 
 def create_module(name: str, base: Path) -> tuple[Path, ...]:
     """Write the three files; raises ValueError with a sentence where the name is none or a file is there already."""
-    if not TASK_NAME.match(name) or not name.isidentifier() or keyword.iskeyword(name) or len(name) > LONGEST:
-        raise ValueError(Reason.of("desk.module_name", longest=LONGEST, name=name))
-    identifier = name
-    title = "".join(part.capitalize() for part in identifier.split("_"))
+    title = judged_name(name)
     files = {
         base / "module" / f"{name}.py": _CODE,
         base / "module" / f"{name}.rmod": _RMOD,
-        base / "tests" / f"test_{identifier}.py": _TEST,
+        base / "tests" / f"test_{name}.py": _TEST,
     }
+    return written_new({path: text.format(name=name, title=title, identifier=name) for path, text in files.items()})
+
+
+def judged_name(name: str) -> str:
+    """The name of the class of a module of this name; raises ValueError for what is no name of one."""
+    if not TASK_NAME.match(name) or not name.isidentifier() or keyword.iskeyword(name) or len(name) > LONGEST:
+        raise ValueError(Reason.of("desk.module_name", longest=LONGEST, name=name))
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
+def written_new(files: Mapping[Path, str]) -> tuple[Path, ...]:
+    """Write files where there are none; raises ValueError where one is there already, and then writes none."""
     for path in files:
         if path.exists():
             raise ValueError(Reason.of("desk.file_there", path=str(path)))
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
-        written = whole.write(path, text.format(name=name, title=title, identifier=identifier), whole.ABSENT)
+        written = whole.write(path, text, whole.ABSENT)
         if isinstance(written, Refusal):
             raise ValueError(written.reason)
     return tuple(files)
