@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from onika import guest
 from onika.guest import ActionResult, Errand, GuestError, GuestProgram, action
 
 TIMEOUT_S = 20.0
@@ -184,7 +185,8 @@ def test_what_it_does_not_know_is_an_error(path):  # R-A20
         assert line.ask(1, ask="path").answer() == {"id": 1, "error": "expected to be asked do or hello, not path"}
 
 
-def test_it_takes_the_place_of_one_that_was_killed_and_not_of_one_that_listens(path, tmp_path):  # R-A20
+def test_it_takes_the_place_of_one_that_was_killed_and_not_of_one_that_listens(path, tmp_path, monkeypatch):  # R-A20
+    monkeypatch.setattr(guest, "_MOMENT_S", 0.0)
     with pytest.raises(OSError, match="somebody listens at"):
         Oracle().serve(f"unix:{path}")
     left = socket.socket(socket.AF_UNIX)
@@ -199,6 +201,19 @@ def test_it_takes_the_place_of_one_that_was_killed_and_not_of_one_that_listens(p
             continue
         return
     raise AssertionError("It never listened.")
+
+
+def test_who_is_just_ending_there_has_a_moment(tmp_path, monkeypatch):  # R-A20
+    place, ending = str(tmp_path / "ending"), socket.socket(socket.AF_UNIX)
+    ending.bind(place)
+    ending.listen()
+
+    def moment(_seconds):
+        ending.close()
+
+    monkeypatch.setattr(guest.time, "sleep", moment)
+    with guest._listening(f"unix:{place}") as server:
+        assert server.getsockname() == place
 
 
 @pytest.mark.parametrize("address", ["unix:", "tcp:here", "http://here", "tcp::1"])

@@ -233,21 +233,30 @@ def _listening(address: str) -> Iterator[socket.socket]:
 
 @contextlib.contextmanager
 def _at_path(place: str) -> Iterator[socket.socket]:
-    """Listen at a path; what a guest that was killed has left there goes."""
-    with socket.socket(socket.AF_UNIX) as other:
-        try:
-            other.connect(place)
-        except ConnectionRefusedError:
-            Path(place).unlink()
-        except FileNotFoundError:
-            pass
-        else:
+    """Listen at a path; what a guest that was killed has left there goes, and whoever is just ending has a moment."""
+    until = time.monotonic() + _MOMENT_S
+    while _is_answered(place):
+        if time.monotonic() > until:
             raise OSError(f"somebody listens at {place} already")
+        time.sleep(0.02)
     with _bound(place) as server:
         try:
             yield server
         finally:
             Path(place).unlink(missing_ok=True)
+
+
+def _is_answered(place: str) -> bool:
+    """Whether somebody listens at a path; a path at which nobody does any more is taken away."""
+    with socket.socket(socket.AF_UNIX) as other:
+        try:
+            other.connect(place)
+        except ConnectionRefusedError:
+            Path(place).unlink(missing_ok=True)
+            return False
+        except FileNotFoundError:
+            return False
+    return True
 
 
 def _bound(place: str) -> socket.socket:
