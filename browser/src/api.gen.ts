@@ -2505,6 +2505,9 @@ export interface SeatRow {
   may_return: boolean;
   bytes: number;
   processes: number;
+  course: string;
+  lessons: number;
+  lessons_of: number;
 }
 
 /** The whole class. */

@@ -32,6 +32,8 @@ def test_a_row_says_who_does_what_and_what_it_costs():  # R-X25
     assert (only.seat, only.learner, only.program, only.icons) == (2, "Ana", "go_home", 3)
     assert (only.run, only.done, only.of, only.refusal, only.refusal_s) == ("running", 2, 5, said, 4.0)
     assert (only.bytes, only.processes) == (5, 2)
+    of_course = row(course="loops", lessons=2, lessons_of=5)
+    assert (of_course.course, of_course.lessons, of_course.lessons_of) == ("loops", 2, 5)
 
 
 @pytest.mark.parametrize(

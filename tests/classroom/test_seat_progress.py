@@ -31,6 +31,22 @@ def followed(tmp_path):
     return Followed(tmp_path)
 
 
+def test_a_lesson_that_is_done_is_a_step_forward_and_nothing_else_is_believed(followed):  # R-X25
+    def noted(course, lessons, of, event="pass_lesson"):
+        followed.do(act.Note(event, course, associated=lessons, associated_id=of))
+        standing = followed.standing
+        return standing.course, standing.lessons, standing.lessons_of
+
+    followed.now_s += 60.0
+    assert noted("loops", "0", "5") == ("loops", 0, 5)
+    assert followed.standing.idle_s == 60.0
+    assert noted("loops", "2", "5") == ("loops", 2, 5)
+    assert followed.standing.idle_s == 0.0
+    for course, lessons, of in (("<b>", "3", "5"), ("loops", "-1", "5"), ("loops", "3", "9" * 9), ("x" * 99, "1", "2")):
+        assert noted(course, lessons, of) == ("loops", 2, 5)
+    assert noted("loops", "4", "5", "read_help") == ("loops", 2, 5)
+
+
 def test_an_act_that_changes_something_is_a_step_forward(followed):  # R-X25
     followed.now_s += 60.0
     assert (followed.standing.steps, followed.standing.idle_s) == (0, 60.0)

@@ -2,7 +2,9 @@ import os
 import socket
 from pathlib import Path
 
-from onika.files.text import LARGEST, decode, load
+import pytest
+
+from onika.files.text import LARGEST, decode, decode_foreign, load
 
 
 def test_a_byte_that_is_no_utf_8_is_named_with_its_line() -> None:
@@ -51,3 +53,13 @@ def test_a_large_file_and_one_that_a_link_leads_to_are_read(tmp_path: Path) -> N
     path.write_text("é" * 5_000_000)
     (tmp_path / "link").symlink_to(path)
     assert load(tmp_path / "link", "here") == ("é" * 5_000_000, ())
+
+
+@pytest.mark.parametrize("foreign", ["a\nb\n".encode("utf-16"), b"\xef\xbb\xbfa\nb\n", b"a\rb\r", b"a\nb\n"])
+def test_a_log_that_another_system_has_written_is_the_same_text(foreign: bytes) -> None:  # R-H08
+    assert decode_foreign(foreign, "x.log") == ("a\nb\n", ())
+
+
+def test_what_is_no_letter_in_a_log_is_named_and_the_rest_read() -> None:  # R-H08
+    text, (fault,) = decode_foreign(b"a\nb\xf1\n", "x.log")
+    assert (text, fault.place.line) == ("a\nb\ufffd\n", 2)

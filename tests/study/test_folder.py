@@ -1,5 +1,7 @@
 """The folder of a study: what is in it is read, what is wrong with it is named."""
 
+import pytest
+
 from kit.study.log_text import assembly
 from onika.study import folder
 from onika.study.source_tables import FOLDER
@@ -7,6 +9,37 @@ from onika.study.source_tables import FOLDER
 
 def keys(study):
     return [(str(fault.place), fault.reason.key) for fault in study.faults]
+
+
+@pytest.mark.parametrize(
+    "foreign",
+    [
+        lambda text: text.replace("\n", "\r\n").encode(),
+        lambda text: text.replace("\n", "\r").encode(),
+        lambda text: b"\xef\xbb\xbf" + text.encode(),
+        lambda text: text.encode("utf-16"),
+        lambda text: text.replace("\t", "    ").encode(),
+        lambda text: text.replace(".", ",").encode(),
+        lambda text: "".join(f"  {line}  \n" for line in text.splitlines()).encode(),
+    ],
+)
+def test_a_log_as_other_systems_write_it_is_the_same_log(tmp_path, foreign):  # R-H02
+    (tmp_path / "a.log").write_text(assembly(4.0))
+    (tmp_path / "b.log").write_bytes(foreign(assembly(4.0)))
+    study = folder.read(tmp_path)
+    ours, other = study.subjects
+    assert study.faults == ()
+    assert (other.figures, other.selections) == (ours.figures, ours.selections)
+
+
+def test_a_log_of_nothing_is_named_and_not_counted(tmp_path):  # R-H02
+    (tmp_path / "a.log").write_bytes(b"")
+    (tmp_path / "b.log").write_text("no log at all\n")
+    study = folder.read(tmp_path)
+    assert [subject.is_compared for subject in study.subjects] == [False, False]
+    told = [(fault.place.file, fault.reason.key) for fault in study.faults]
+    assert ("a.log", "study.empty_log") in told
+    assert {("b.log", "study.columns"), ("b.log", "study.empty_log")} <= {*told}
 
 
 def test_logs_lie_in_the_folder_in_logs_and_in_folders_of_subjects(tmp_path):  # R-H02

@@ -167,6 +167,7 @@ export const enHolding = {
   'class.run.stopped': 'stands',
   'class.run.completed': 'ran to its end',
   'class.run.aborted': 'ended early',
+  'class.course': '{course}: {done} of {of}',
   'class.notRun': 'not run yet',
   'class.stuck': 'stuck',
   'class.now': 'just now',

@@ -169,6 +169,7 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'class.run.stopped': 'detenido',
   'class.run.completed': 'llegó al final',
   'class.run.aborted': 'terminó antes',
+  'class.course': '{course}: {done} de {of}',
   'class.notRun': 'aún sin ejecutar',
   'class.stuck': 'atascado',
   'class.now': 'ahora mismo',

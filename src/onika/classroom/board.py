@@ -47,4 +47,7 @@ def _row(learner: Learner, seat: AttendedSeat) -> SeatRow:
         may_return=learner.may_return,
         bytes=seat.footprint.bytes,
         processes=len(seat.footprint.processes),
+        course=at.course,
+        lessons=at.lessons,
+        lessons_of=at.lessons_of,
     )

@@ -54,6 +54,8 @@ class SeatStanding(News, frozen=True):
     idle_s       since the last step forward: such an act, or an action that was done
     run          `running`, `stopped`, `completed`, `aborted`; empty: nothing was run
     done, of     actions of that run
+    course       of the help, where its learner is in one; empty: in none
+    lessons, lessons_of  how many of its lessons are done
     """
 
     pages: int = 0
@@ -68,6 +70,9 @@ class SeatStanding(News, frozen=True):
     why: Reason = NOTHING
     refusal: Reason = NOTHING
     refusal_s: float = 0.0
+    course: str = ""
+    lessons: int = 0
+    lessons_of: int = 0
 
 
 class HandedIn(News, frozen=True):

@@ -3,6 +3,7 @@
 No I/O; the time is handed in, in seconds that never go back.
 """
 
+import re
 from collections.abc import Callable
 
 from onika.classroom.messages import SeatStanding
@@ -13,6 +14,10 @@ from onika.web.access.act_rights import WATCHING
 from onika.wire import act
 from onika.words.reason import NOTHING, Reason
 
+LESSON = "pass_lesson"
+"""What a page notes of a course: the course, and how many of its lessons are done, of how many."""
+_COURSE = re.compile(r"[a-z]{1,20}")
+_NUMBER = re.compile(r"[0-9]{1,3}")
 _NO_STEP: frozenset[type] = frozenset((*WATCHING, act.Note, act.Open, act.Peek, act.Close, act.Preflight, act.WhatIf))
 """Acts that bring no program further."""
 
@@ -28,6 +33,7 @@ class SeatProgress:
         self._forward_s = clock()
         self._refusal: Reason = NOTHING
         self._refused_s = 0.0
+        self._course = ("", 0, 0)
 
     def begun(self, command: act.AnyAct, _by: str) -> Callable[[ActAnswer], None]:
         """An act has begun; who is told how it ended."""
@@ -35,7 +41,10 @@ class SeatProgress:
 
     def acted(self, command: act.AnyAct, given: ActAnswer) -> None:
         """An act has ended."""
-        if type(command) in WATCHING or isinstance(command, act.Note):
+        if isinstance(command, act.Note):
+            self._noted(command)
+            return
+        if type(command) in WATCHING:
             return
         doc = getattr(command, "doc", "")
         if doc in self._model().applications:
@@ -44,6 +53,16 @@ class SeatProgress:
             self.refused(given.no.reason)
         elif type(command) not in _NO_STEP:
             self._steps += 1
+            self._forward_s = self._clock()
+
+    def _noted(self, note: act.Note) -> None:
+        """A lesson that is done is a step forward; a page that says anything else is not believed."""
+        numbers = (note.associated, note.associated_id)
+        if note.event != LESSON or not _COURSE.fullmatch(note.object) or not all(map(_NUMBER.fullmatch, numbers)):
+            return
+        before, (lessons, of) = self._course, map(int, numbers)
+        self._course = (note.object, min(lessons, of), of)
+        if before[0] == note.object and before[1] < lessons:
             self._forward_s = self._clock()
 
     def refused(self, reason: Reason) -> None:
@@ -64,6 +83,7 @@ class SeatProgress:
         model, now_s = self._model(), self._clock()
         opened = model.applications.get(self._doc) or next(reversed(tuple(model.applications.values())), None)
         run = model.run
+        course, lessons, lessons_of = self._course
         return SeatStanding(
             pages=pages,
             teachers=teachers,
@@ -77,6 +97,9 @@ class SeatProgress:
             why=NOTHING if run is None else _why(run),
             refusal=self._refusal,
             refusal_s=now_s - self._refused_s if self._refusal else 0.0,
+            course=course,
+            lessons=lessons,
+            lessons_of=lessons_of,
         )
 
 

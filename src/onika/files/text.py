@@ -1,5 +1,6 @@
 """Reads the text of a file: decodes UTF-8, with faults where it is none (requirement B07)."""
 
+import codecs
 import os
 import stat
 from pathlib import Path
@@ -51,6 +52,22 @@ def decode(data: bytes, file: str) -> tuple[str | None, tuple[Fault, ...]]:
                 place, Reason.of("files.not_utf8", byte=f"0x{data[error.start]:02x}"), Reason.of("words.file_left_out")
             ),
         )
+
+
+def decode_foreign(content: bytes, file: str) -> tuple[str, tuple[Fault, ...]]:
+    """The text of a file of another system, with a fault where it is none: what is no letter is replaced.
+
+    Other systems mark its encoding at its beginning, or part its lines by \\r alone.
+    """
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return _in_lines(content.decode("utf-16", "replace")), ()
+    content = content.removeprefix(codecs.BOM_UTF8)
+    text, torn = decode(content, file)
+    return _in_lines(content.decode("utf-8", "replace") if text is None else text), torn
+
+
+def _in_lines(text: str) -> str:
+    return text if "\n" in text else text.replace("\r", "\n")
 
 
 def _data(path: Path) -> bytes:

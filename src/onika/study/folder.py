@@ -135,10 +135,9 @@ def _logs(folder: Path, paths: list[Path], faults: list[Fault]) -> Iterator[Stud
         faults += wrong
         if content is None:
             continue
-        text, torn = texts.decode(content, name)
-        for fault in torn:
-            faults.append(Fault(fault.place, fault.reason, Reason.of("study.letters_replaced")))
-        log, wrong = logs.read(text or content.decode("utf-8", "replace"), name)
+        text, torn = texts.decode_foreign(content, name)
+        faults += [Fault(fault.place, fault.reason, Reason.of("study.letters_replaced")) for fault in torn]
+        log, wrong = logs.read(text, name)
         faults += wrong
         yield log
 

@@ -129,12 +129,13 @@ def _entry(number: int, line: str) -> LogEntry | Reason:
     if at_s is None:
         return Reason.of("study.no_time", text=words[0][:_LONGEST])
     event, thing, thing_id, associated, associated_id, window = (word.strip() for word in words[1:])
-    return LogEntry(number, at_s, event, thing, thing_id, associated, associated_id, window, "." in words[0])
+    has_fraction = "." in words[0] or "," in words[0]
+    return LogEntry(number, at_s, event, thing, thing_id, associated, associated_id, window, has_fraction)
 
 
 def _seconds(word: str) -> float | None:
     try:
-        seconds = float(word)
+        seconds = float(word.replace(",", "."))  # a spreadsheet of another country has a decimal comma
     except ValueError:
         return None
     if not 0.0 <= seconds < _LATEST_S:  # as is said of what is no number, too

@@ -53,6 +53,8 @@ def from_log(name: str, logs: Sequence[StudyLog], row: SubjectRow | None) -> tup
     subject = replace(_named(name, row), task=task, measures=measures, selections=selections, figures=figures)
     if not entries:
         subject = replace(subject, unfit=Reason.of("study.empty_log"))
+        empty = Place(logs[0].name if logs else name)
+        faults.append(Fault(empty, subject.unfit, Reason.of("study.not_counted")))
     elif not task.success:
         # What was selected was selected; how long the task would have taken nobody knows.
         faults.append(

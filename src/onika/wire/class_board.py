@@ -50,6 +50,11 @@ class SeatRow(Struct, frozen=True):
     may_return: bool
     bytes: int
     processes: int
+    course: str = ""
+    """Of the help, where the learner is in one; empty: in none."""
+    lessons: int = 0
+    lessons_of: int = 0
+    """How many of its lessons are done, of all."""
 
 
 class ClassBoard(Struct, frozen=True):

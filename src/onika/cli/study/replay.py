@@ -71,9 +71,10 @@ def _lines(paths: Sequence[Path]) -> tuple[tuple[LogLine, ...], list[Fault]]:
     faults: list[Fault] = []
     parts = []
     for path in paths:
-        content, wrong = text.load(path, str(path))
-        faults += wrong
-        parts.append(content or "")
+        content, wrong = text.load_bytes(path, str(path))
+        part, torn = text.decode_foreign(content or b"", str(path))
+        faults += (*wrong, *torn)
+        parts.append(part)
     lines, wrong = session_log.read("\n".join(part.rstrip("\n") for part in parts), paths[0].name)
     return lines, [*faults, *wrong]
 
