@@ -44,7 +44,7 @@ class Builder:
         if kind:
             panel.get_by_text(kind).click()
             panel.get_by_label("How many flows").fill(str(flows))
-        panel.get_by_role("button", name="Begin").click()
+        panel.get_by_role("button", name="Begin", exact=True).click()
         expect(panel).to_have_count(0)
         expect(self.steps).to_have_count(2 * flows)
 

@@ -48,7 +48,7 @@ def beginner(begin, page):
     program = begin("--upper")
     page.goto(program.address())
     page.get_by_role("button", name="New application…").first.click()
-    page.get_by_role("button", name="Begin").click()
+    page.get_by_role("button", name="Begin", exact=True).click()
     return Beginner(program, page)
 
 

@@ -40,7 +40,7 @@ class Reader:
     def blank(self):
         self.page.locator("body").press("Alt+n")
         panel = self.panel("New application")
-        panel.get_by_role("button", name="Begin").click()
+        panel.get_by_role("button", name="Begin", exact=True).click()
         expect(panel).to_have_count(0)
 
 
@@ -274,7 +274,7 @@ def test_a_new_application_of_several_flows(me):  # R-D04
     panel = me.panel("New application")
     panel.get_by_text("Several flows, side by side").click()
     panel.get_by_label("How many flows").fill("3")
-    panel.get_by_role("button", name="Begin").click()
+    panel.get_by_role("button", name="Begin", exact=True).click()
     expect(me.workspace).to_contain_text("3 flows")
 
 

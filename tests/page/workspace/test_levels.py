@@ -103,7 +103,7 @@ def test_the_tutorial_sees_what_is_done_and_goes_on_after_a_reload(user):  # R-H
     lesson = user.get_by_role("dialog", name="Tutorial, 15 minutes").locator("[aria-current=step]")
     expect(lesson).to_contain_text("Make a new application")
     user.get_by_role("button", name="New application…").first.click()
-    user.get_by_role("button", name="Begin").click()
+    user.get_by_role("button", name="Begin", exact=True).click()
     expect(lesson).to_contain_text("open the hand")
     libraries = user.get_by_role("complementary", name="Dictionary", exact=True)
     libraries.get_by_text("open the hand", exact=True).first.dblclick()
