@@ -480,6 +480,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.site_serve": "atender un sitio: lanzar lo que está en la lista, para quien tenga un token",
   "cli.site_serves": "onika site: {name} escucha en {place}{token}",
   "cli.site_starting": "arranca",
+  "cli.site_stopped": "    todo está parado allí",
   "cli.site_token_at": ", token en {path}",
   "cli.site_token_file": "el archivo con su token de allí (si no: ONIKA_TOKEN, o el de esta máquina)",
   "cli.site_trust": "confiar en el certificado que una máquina ha hecho ella misma, solo para esa máquina",

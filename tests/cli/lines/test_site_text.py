@@ -36,3 +36,9 @@ def test_what_was_launched_and_what_ran_already_is_told_apart():  # R-A15
 def test_sites_are_listed_in_order():
     sites = {"sandia": KnownSite("b" * 32, "b:1"), "cmu": KnownSite("a" * 32, "a:1")}
     assert [str(line).split()[0] for line in listed(sites)] == ["cmu", "sandia"]
+
+
+def test_what_is_stopped_says_so():  # R-F06
+    stopped = LaunchCard("arm", "running", is_stopped=True)
+    lines = [str(line) for line in card(SiteCard("cmu", "x", 0.0, "ann", "viewer", (stopped,)))]
+    assert "    everything is stopped there" in lines

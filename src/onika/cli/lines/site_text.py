@@ -39,6 +39,8 @@ def _launch(launch: LaunchCard) -> Iterator[Reason]:
     yield Reason.of("cli.site_launch_line", name=launch.name, state=state)
     if launch.reason:
         yield Reason.of("cli.site_why", why=launch.reason)
+    if launch.is_stopped:
+        yield Reason.of("cli.site_stopped")
     if launch.worlds:
         yield Reason.of("cli.site_worlds", worlds=launch.worlds)
     if launch.robot:
