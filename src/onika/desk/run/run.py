@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.flow_worlds import worlds_by_flow
+from onika.desk.plan.known_worlds import with_worlds
 from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
@@ -188,6 +189,7 @@ def _open(
         return
     with _runtime(settings, plan, world_values, recorded) if opens is None else opens(plan, world_values) as runtime:
         _prepare(prepared, plan, runtime, outcome)
+        outcome.faults = with_worlds(outcome.faults, site)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
         outcome.faults += _unheard_of(settings.expectations, plan)
         if outcome.faults:

@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.fault_text import arguments, said, together
 from onika.desk.environment.run_state.membership import StepMembership, icons
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import a_kind, kind_named, quoted
+from onika.desk.plan.known_worlds import with_worlds
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod
@@ -98,6 +99,7 @@ class FaultViews:
         """Faults and notes, those of tasks with who could stand for these."""
         every = list(faults)
         if self.prepared is not None and self.site is not None:
+            every = with_worlds(every, self.site)
             every = with_substitutes(every, self.prepared, self.redirects, self.site)
         found: dict[tuple[int, str], FaultView] = {}
         for one in every:
