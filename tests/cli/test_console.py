@@ -50,5 +50,7 @@ def test_a_wrong_command_line_is_told_and_ends_with_2(capsys, words, sentence):
 
 
 def test_a_token_file_that_is_not_there_is_told(sits, tmp_path, capsys):
-    assert main(["console", "ws://127.0.0.1:7994", "--token-file", str(tmp_path / "none")]) == 1
-    assert "none" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as ended:
+        main(["console", "ws://127.0.0.1:7994", "--token-file", str(tmp_path / "none")])
+    assert ended.value.code == 2
+    assert f"{tmp_path / 'none'}: No such file or directory" in capsys.readouterr().err

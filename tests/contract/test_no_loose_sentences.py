@@ -21,7 +21,10 @@ NO_SENTENCES = re.compile(
     r"|application begin\Z"  # a tag
     r"|pad free\Z"  # a line of a script
 )
-TEMPLATES = {"desk/plan/module_template.py", "web/access/sign_in_page.py", "web/access/form_page.py"}
+TEMPLATES = {
+    *("desk/plan/module_template.py", "desk/plan/guest_template.py"),
+    *("web/access/sign_in_page.py", "web/access/form_page.py"),
+}
 """Files that are written as they are here: code for an author, who goes on with it, and HTML, whose words are keys."""
 
 

@@ -67,7 +67,7 @@ def test_a_router_and_an_announcement_begin_or_say_why_not(site, tmp_path, capsy
     assert main(["fabric", "router"]) == 0
     assert "tcp/127.0.0.1:7447" in capsys.readouterr().out
     assert main(["fabric", "announce", str(tmp_path / "card")]) == 0
-    assert "1 cards" in capsys.readouterr().out
+    assert "announced: 1 card;" in capsys.readouterr().out
 
     def fails(wrong):
         def speak(*_):

@@ -23,7 +23,7 @@ def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  
     main(["study", "new", str(study)])
     page = "import os, pathlib, sys; place = pathlib.Path(os.environ['HOME'], '.local/state/onika/diary')"
     page += "; place.mkdir(parents=True); (place / 'a.log').write_text(' '.join(sys.argv[1:]))"
-    monkeypatch.setattr(prepare, "_MAIN", page)
+    monkeypatch.setattr(prepare, "_COMMAND", ("-c", page))
     assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open", "--window", "900x700"]) == 0
     log = (study / "logs" / "s1" / "a.log").read_text()
     assert log.startswith("page --upper --presentation words --window 900x700+0+0 --base ")

@@ -207,7 +207,7 @@ def test_code_from_another_machine_is_refused_unless_it_is_accepted(house):  # l
     far = open_house.guest(near=False)
     assert ask(far, prepare) == request.Done()
     operator = open_house.guest(Role.OPERATOR, client="o")
-    assert "expected a programmer" in str(ask(operator, prepare).reason)
+    assert "is brought by a programmer" in str(ask(operator, prepare).reason)
     open_house.close()
 
 

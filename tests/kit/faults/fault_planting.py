@@ -135,7 +135,7 @@ class FaultyDriver(LossyDriver):
     def freeze(self, rtpu: str) -> None:
         """The unit does nothing from now on."""
         self.gone.add(rtpu)
-        for (subsystem, task), home in self._homes.items():
+        for (subsystem, task), home in self._units.homes.items():
             running = self.living().get((subsystem, task))
             if home == rtpu and running is not None:
                 self._executive._unit.leave(running, self.now)
@@ -285,7 +285,7 @@ class FaultyRuntime(LossyClient):
 
     def _hangs(self, task: str) -> None:
         subsystem, _, name = task.rpartition("/")
-        self._unit_frozen(self.driver._homes[subsystem, name])
+        self._unit_frozen(self.driver._units.homes[subsystem, name])
 
     def _unit_killed(self, unit: str) -> None:
         self.driver.lose(unit)

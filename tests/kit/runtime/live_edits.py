@@ -124,7 +124,7 @@ class LossyDriver(VirtualDriver):
     def _has_no_gap(self, rtpu: str, spawn: command.Spawn) -> bool:
         if rtpu not in self.tight or not spawn.cost_ns:
             return False
-        return any(task.is_on and self._homes[address] == rtpu for address, task in self.living().items())
+        return any(task.is_on and self._units.homes[address] == rtpu for address, task in self.living().items())
 
     def advance(self, wall_ns: int) -> bool:
         """Run on; what tight units have refused is told in between."""
@@ -146,8 +146,9 @@ class LossyDriver(VirtualDriver):
     def lose(self, rtpu: str) -> None:
         """From now on this unit is gone."""
         self.gone.add(rtpu)
-        self._commands = deque(waiting for waiting in self._commands if waiting[0] != rtpu)
-        for (subsystem, task), home in list(self._homes.items()):
+        units = self._units
+        units._commands = deque(waiting for waiting in units._commands if waiting[0] != rtpu)
+        for (subsystem, task), home in list(units.homes.items()):
             if home == rtpu:
                 super().send(rtpu, command.Kill(subsystem, task))
         self.lost(rtpu, Reason.plain(f"processing unit {rtpu} was lost"), self.now)

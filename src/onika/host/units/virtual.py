@@ -1,7 +1,6 @@
 """The virtual driver: all RTPUs and worlds of a runtime, stepped in one process by one clock (law 1)."""
 
 import select
-from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 
@@ -10,6 +9,7 @@ from msgspec import structs
 from onika.host.units.realtime_factor import RealtimeFactor
 from onika.host.units.run_digest import Digest
 from onika.host.units.unit_listener import UnitListener
+from onika.host.units.virtual_units import VirtualUnits
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
 from onika.host.units.world_views import WorldViews
@@ -19,7 +19,6 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import World
-from onika.runtime.execution.executive import Executive
 from onika.wire import event
 from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
@@ -30,6 +29,8 @@ _ROUNDS = 200
 """Tasks that run one after the other at one instant before somebody else is listened to: a loop whose jobs end as soon
 as they begin takes no time at all, and it has to be possible to end it."""
 _AT_ONCE = 1000  # cycles without news that are run before anybody is asked
+_NOTHING_HAPPENED = news.Statuses | news.Loads | news.Stepped
+"""Times of the wall, and what tells of what was looked at."""
 
 
 class VirtualDriver:
@@ -52,11 +53,8 @@ class VirtualDriver:
         self._now = 0
         self._realtime_factor = None if scale is None else RealtimeFactor(scale, 0, monotonic_ns())
         self._views: dict[str, memoryview] = {}
-        self._rtpus = frozenset(rtpus)
-        self._executive = Executive("", self._views, watch)
-        self._homes: dict[tuple[str, str], str] = {}
-        self._statuses: dict[str, news.Statuses] = {}
-        self._commands: deque[tuple[str, command.Command]] = deque()
+        self._units = VirtualUnits(rtpus, self._views, watch)
+        self._executive = self._units.executive
         tell_mishap = self._dated_mishaps(tell) if watches_mishaps else None
         self._buses = Buses(self._views, worlds, self._dated(tell), tell_mishap)
         self._listener: UnitListener | None = None
@@ -82,11 +80,7 @@ class VirtualDriver:
 
     def send(self, rtpu: str, order: command.Command) -> None:
         """Give an RTPU a command; it is carried out before the next cycle."""
-        if isinstance(order, command.Spawn):
-            order = structs.replace(order, cost_ns=0)  # it takes no virtual time
-        elif isinstance(order, command.Swap):
-            order = command.Swap(structs.replace(order.spawn, cost_ns=0))
-        self._commands.append((rtpu, order))
+        self._units.send(rtpu, order)
 
     def begin_words(self, rtpu: str) -> BeginWords:
         """Of no use: the clock of a runtime in virtual time is no other one's."""
@@ -152,7 +146,7 @@ class VirtualDriver:
 
     def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
         """One more unit, whose tasks the one executive carries out with all others; answered at once."""
-        self._rtpus |= {name}
+        self._units.add(name)
         answer(NOTHING)
 
     def expect(self, worlds: Iterable[str]) -> None:
@@ -206,7 +200,7 @@ class VirtualDriver:
                 return True
             if not self._instant(listener):
                 return False
-            if self._commands:
+            if self._units.has_commands:
                 self._deliver()
             elif self._realtime_factor is None and self._executive.sweeps_at() is not None:
                 self._sweep_on(listener, until)
@@ -228,15 +222,13 @@ class VirtualDriver:
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""
         self._buses.stop()
-        for name in sorted(self._rtpus):
-            self.send(name, command.Stop())
+        self._units.send_all(command.Stop())
         self._deliver()
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
         self._buses.go_on()
-        for name in sorted(self._rtpus):
-            self.send(name, command.Reset())
+        self._units.send_all(command.Reset())
         self._deliver()
 
     @property
@@ -378,34 +370,13 @@ class VirtualDriver:
 
     def _deliver(self) -> None:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""
-        while self._commands:
-            rtpu, order = self._commands.popleft()
-            if isinstance(order, command.Spawn):
-                self._homes[order.subsystem, order.task] = rtpu
-            if isinstance(order, command.Report):
-                self._hear([self._statuses_of(rtpu)])
-            else:
-                self._hear(self._executive.handle(order, self._now))
+        self._units.deliver(self._now, self._heard)
 
     def _hear(self, newses: Sequence[news.News]) -> None:
-        for one in newses:
-            if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
-                rtpu = one.rtpu
-            else:
-                rtpu = self._homes.get((getattr(one, "subsystem", ""), getattr(one, "task", "")), "")
-                if not isinstance(one, news.Stepped):  # it tells of what was looked at, and nothing has happened
-                    self._digest.hear(one)
-            if self._listener is not None:
-                self._listener.hear(rtpu, one, self._now)
+        self._units.tell(newses, self._heard)
 
-    def _statuses_of(self, rtpu: str) -> news.Statuses:
-        """One unit's share of the statuses, which are taken of all units at once."""
-        if rtpu not in self._statuses:
-            for one in self._executive.handle(command.Report(), self._now):
-                if isinstance(one, news.Statuses):
-                    self._statuses = {name: self._share(one, name) for name in self._rtpus}
-        return self._statuses.pop(rtpu)
-
-    def _share(self, statuses: news.Statuses, rtpu: str) -> news.Statuses:
-        own = tuple(task for task in statuses.tasks if self._homes.get((task.subsystem, task.task)) == rtpu)
-        return news.Statuses(rtpu, statuses.load, own)
+    def _heard(self, rtpu: str, one: news.News) -> None:
+        if not isinstance(one, _NOTHING_HAPPENED):
+            self._digest.hear(one)
+        if self._listener is not None:
+            self._listener.hear(rtpu, one, self._now)
