@@ -1,7 +1,7 @@
 import shlex
+import sys
 
 from onika.cli import main
-from onika.cli.study import prepare
 
 
 def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_path, capsys):  # R-H09
@@ -21,9 +21,12 @@ def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_p
 def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  # R-H09
     study = tmp_path / "folk"
     main(["study", "new", str(study)])
-    page = "import os, pathlib, sys; place = pathlib.Path(os.environ['HOME'], '.local/state/onika/diary')"
-    page += "; place.mkdir(parents=True); (place / 'a.log').write_text(' '.join(sys.argv[1:]))"
-    monkeypatch.setattr(prepare, "_COMMAND", ("-c", page))
+    page = tmp_path / "page.py"
+    page.write_text(
+        "import os, pathlib, sys; place = pathlib.Path(os.environ['HOME'], '.local/state/onika/diary')"
+        "; place.mkdir(parents=True); (place / 'a.log').write_text(' '.join(sys.argv[1:]))"
+    )
+    monkeypatch.setattr(sys, "argv", [str(page)])
     assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open", "--window", "900x700"]) == 0
     log = (study / "logs" / "s1" / "a.log").read_text()
     assert log.startswith("page --upper --presentation words --window 900x700+0+0 --base ")

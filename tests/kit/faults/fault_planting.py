@@ -156,7 +156,7 @@ class FaultyDriver(LossyDriver):
     def lose_worlds(self) -> None:
         """The device server is given up."""
         self.freeze_worlds()
-        for unit in sorted(self._rtpus - self.gone):
+        for unit in sorted(self._units.names - self.gone):
             self.send(unit, command.Fail(Reason.of("host.the_device_server")))
         self.lost("", Reason.of("host.the_device_server"), self.now)
 

@@ -15,7 +15,6 @@ from onika.words.reason import Reason
 
 _KEPT = ("XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "ONIKA_LOCAL", "ONIKA_DIR")
 """What would lead out of the subject's home."""
-_COMMAND = ("-m", "onika.cli")
 _WINDOW = "1280x900+0+0"
 """Dictionary, workspace and workcell stand in it side by side."""
 
@@ -78,7 +77,7 @@ def _print_steps() -> None:
 def _carried_through(study: Path, session: Session, words: tuple[str, ...]) -> int:
     """The page until it is ended by Ctrl-C, then the end of the session; the exit code."""
     kept = {name: value for name, value in os.environ.items() if name not in _KEPT}
-    command = [sys.executable, *_COMMAND, *words]
+    command = [sys.executable, sys.argv[0], *words]
     page = subprocess.Popen(command, env={**kept, "HOME": str(session.home)})  # noqa: S603 - this very program
     code: int | None = None
     while code is None:
