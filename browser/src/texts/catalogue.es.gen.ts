@@ -3885,6 +3885,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.physical": "físico",
   "workcell.place_empty": "se esperaba un robot que pueda estar en {place}; no hay ninguno",
   "workcell.place_left_out": "se omite el lugar",
+  "workcell.place_no_number": "se esperaba un lugar de tres números menores que 1e10, se encontró {found} en el elemento {kind} `{name}`",
   "workcell.place_taken": "se esperaba un sitio libre para {device:quoted}; {other:quoted} está en uso",
   "workcell.released": "liberado",
   "workcell.reset": "vuelta al comienzo",

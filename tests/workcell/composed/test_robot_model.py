@@ -43,6 +43,8 @@ def test_a_description_without_actuators_gets_a_motor_at_each_joint():  # R-X19
         ('range="-3 3"', 'range="3 -3"', "workcell.limit_reversed"),
         ('joint="bend"', 'joint="knee"', "workcell.model_unsound"),
         ("</worldbody>", "", "workcell.model_unreadable"),
+        ('name="tip" pos="0 0 -0.1"', 'name="tip" pos="nan 0 -0.1"', "workcell.place_no_number"),
+        ('name="tip" pos="0 0 -0.1"', 'name="tip" pos="0 0 1e300"', "workcell.place_no_number"),
     ],
 )
 def test_a_model_that_cannot_be_compiled_leaves_its_robot_out(old, new, why):  # R-B07, R-X19

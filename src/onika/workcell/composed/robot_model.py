@@ -11,7 +11,7 @@ import numpy as np
 
 from onika.model.robot import RobotArm, RobotAxes, RobotBase, RobotDevice, RobotGripper, RobotText, SensorBlock
 from onika.words.fault import Fault
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 from onika.workcell.composed.base_facts import FREE_JOINT, BaseFacts, base_facts
 from onika.workcell.composed.camera_spec import add_cameras, lenses
 from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
@@ -128,9 +128,30 @@ def compiled(spec: mujoco.MjSpec) -> Any:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # that a model says options; the world says them
-            return spec.compile()
+            model = spec.compile()
     except (ValueError, RuntimeError) as wrong:
         raise ValueError(Reason.of("workcell.model_unsound", why=first_line(wrong))) from None
+    if nowhere := _nowhere(model):
+        raise ValueError(nowhere)
+    return model
+
+
+def _nowhere(model: Any) -> Reason:
+    """Which element stands at no place that can be computed with, which MuJoCo lets pass; empty where each does."""
+    stand = {
+        "body": model.body_pos,
+        "geom": model.geom_pos,
+        "site": model.site_pos,
+        "joint": model.jnt_pos,
+        "camera": model.cam_pos,
+    }
+    for kind, places in stand.items():
+        is_there = (np.abs(places) < mujoco.mjMAXVAL).all(axis=1)  # what is no number is below nothing
+        if not is_there.all():
+            number = int(np.argmin(is_there))
+            name, found = getattr(model, kind)(number).name, " ".join(f"{x:g}" for x in places[number])
+            return Reason.of("workcell.place_no_number", kind=kind, name=name, found=found)
+    return NOTHING
 
 
 def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]) -> DeviceFacts | Unfit:
