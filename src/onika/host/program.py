@@ -11,6 +11,7 @@ from onika.host.driver import Driver
 from onika.host.edit.editor import LiveEditor, refused
 from onika.host.foresight.questions import Questions
 from onika.host.foresight.situation import SessionFacts
+from onika.host.hand_requests import HandRequests
 from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
@@ -30,11 +31,9 @@ from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.host.subsystems.motion import Motion
-from onika.host.subsystems.pads import Pads
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.subsystems.unit_starts import UnitStarts
-from onika.host.subsystems.world_reset import WorldReset
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
@@ -78,12 +77,13 @@ class RuntimeProgram:
         self._booked = booked
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
-        self._pads = Pads(self.subsystems)
         self._world_files = WorldFiles()
         self.recordings = RuntimeRecordings(self.subsystems, driver, server)
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
-        self._world_reset = WorldReset(self.subsystems, driver)
+        self._hands = HandRequests(
+            self.subsystems, driver, self._editor, self.authority, self.motion, self._presence, self._offered
+        )
         self._links = RendezvousLinks()
         self.applications = ApplicationRuns(
             self.subsystems, driver, self.authority, self.motion, self.recordings, self._links, server.tell
@@ -307,8 +307,6 @@ class RuntimeProgram:
                 self._links.stop()
                 self.motion.stop(session, message.cause)
                 return request.Done()
-            case live.Touch() | live.PutBack() | live.Push():
-                return self._by_a_hand(session, message)
             case steer.Onward():
                 return self.subsystems.hold.onward(session, message)
             case request.Snapshot():
@@ -316,7 +314,8 @@ class RuntimeProgram:
             case request.Quit():
                 self.is_over = True
                 return request.Done()
-        return self._by_hand(session, message)
+        answer = self._hands.answer(session, message)
+        return self._look.answer(session, message, self.motion.is_stopped) if answer is None else answer
 
     def _offered(self, worlds: Iterable[WorldSource]) -> list[Fault]:
         """Keep the files of worlds; one that is open and was made of others is told: it stays as it is."""
@@ -333,54 +332,6 @@ class RuntimeProgram:
         if isinstance(message, live.Solve):
             return solve(message, self._loading)
         return world_list(offered_worlds(), self._loading)
-
-    def _by_hand(self, session: str, message: request.Request) -> request.Response:
-        match message:
-            case live.Change():
-                if faults := self._offered(message.worlds):
-                    return refused(faults, [])
-                return self.authority.takes(session, message.subsystem, self._editor.change(message))
-            case live.Reinit() | live.Swap() | live.Clear() | live.Write() | live.Close():
-                return self._edit(message)
-            case live.Reset():
-                self.motion.allow(session)
-                return request.Done()
-            case live.Take() | live.Release():
-                return self.authority.change(session, message)
-            case holding.Hand():
-                return self.authority.hand(session, message, monotonic_ns())
-            case holding.Decline():
-                return self.authority.decline(session, message)
-            case holding.OnlyWatch():
-                return self.authority.only_watch(session)
-            case holding.Sessions():
-                return self._presence.answer(session)
-        return self._look.answer(session, message, self.motion.is_stopped)
-
-    def _edit(self, message: live.Reinit | live.Swap | live.Clear | live.Write | live.Close) -> request.Response:
-        match message:
-            case live.Reinit():
-                return self._editor.reinit(message)
-            case live.Swap():
-                return self._editor.swap(message)
-            case live.Clear():
-                return self._editor.clear(message)
-            case live.Write():
-                return self._editor.write(message)
-            case live.Close():
-                return self._editor.close(message)
-
-    def _by_a_hand(self, session: str, message: live.Touch | live.PutBack | live.Push) -> request.Response:
-        """What hands do in a workcell, or at a pad."""
-        if isinstance(message, live.Push):
-            return self._pads.push(session, message, self._driver.now)
-        if isinstance(message, live.PutBack):
-            return self._world_reset.answer(session, message)
-        try:
-            self._driver.touch(message.world, message.part, message.value)
-        except ValueError as wrong:
-            return request.Refused(reason_of(wrong))
-        return request.Done()
 
     def _answer(self, message: request.Reply) -> request.Response:
         run = self.subsystems.run_in(message.subsystem)
