@@ -126,6 +126,8 @@ class Engine:
 
     def feed(self, news: News) -> list[Order]:
         """Hear one piece of news; the orders that follow from it. What comes too late changes nothing."""
+        if isinstance(news, TaskNews):
+            return self._guarded(self._hear(self._flows[news.flow], news))
         match news:
             case Run():
                 return self._run()
@@ -136,8 +138,6 @@ class Engine:
                 return self._abort(news.cause)
             case Agreed() | Closed() | BegunAlone():
                 return self._guarded(self._shared.hear(news))
-        if isinstance(news, TaskNews):
-            return self._guarded(self._hear(self._flows[news.flow], news))
         if self.refusal(news):
             return []
         return self._guarded(self._control.steer(self._steered(news), news))
@@ -170,14 +170,14 @@ class Engine:
 
     def _hear_under_way(self, flow: Progress, news: TaskNews) -> list[Order]:
         match news:
-            case Spawned():
-                flow.flow_tasks.spawned(news.task)
-                return self._begin_when_spawned()
             case TurnedOn():
                 flow.flow_tasks.turned_on(news.task)
                 return []
             case Finished():
                 return self._finished(flow, news)
+            case Spawned():
+                flow.flow_tasks.spawned(news.task)
+                return self._begin_when_spawned()
             case SwitchedOff():
                 return self._switched_off(flow, news.task)
             case Asked():

@@ -71,13 +71,17 @@ class FlowTasks:
         Its triggers come on anew even when they are ON still: a new action is a new activation.
         """
         present = [task for task in self._on if task != finished]
-        again = tuple(task for task in present if task in step.triggers)
+        again = tuple([task for task in present if task in step.triggers])
         wanted = [task for task in step.tasks if task not in self._broken]
         change = difference([task for task in present if task not in again], wanted)
-        rates = ((task, step.rates[task]) for task in change.keep)
-        kept_rates = tuple((task, rate) for task, rate in rates if rate is not None and rate != self._rates[task])
-        starts = tuple(step.start(task) for task in change.on)
+        kept_rates = tuple([(task, rate) for task in change.keep if (rate := self._new_rate(step, task)) is not None])
+        starts = tuple([step.start(task) for task in change.on])
         return Switch(self._flow, again + change.off, starts, kept_rates, number)
+
+    def _new_rate(self, step: ActionStep, task: str) -> float | None:
+        """The rate of a task that stays ON, if it is another one now."""
+        rate = step.rates[task]
+        return rate if rate != self._rates[task] else None
 
     def carry_out(self, step: ActionStep, switch: Switch) -> None:
         """The switch is ordered: from now on who is to be ON is what the step says."""

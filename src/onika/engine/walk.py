@@ -57,6 +57,9 @@ def walk(
     leaving      the loops that are to be left at their next test
     rests_after  whether the flow rests after this no-op
     """
+    instruction = program.instructions[pc]
+    if isinstance(instruction, Do) and not program.is_noop[instruction.action]:
+        return WalkResult(pc, value, leaving)  # as nearly always
     walker = _Walker(program, pc, value, leaving, judge, rests_after)
     passed_states: set[tuple[int, FinishValue | None, frozenset[str]]] = set()
     while walker.state not in passed_states:

@@ -16,6 +16,9 @@ _INIT_NS = 400_000
 """What an ordinary `init` takes; law 21 lets nothing come in that does not fit between two cycles."""
 
 
+_WRITING = (State.ON, State.ASKING)
+
+
 class Member:
     """A task of a subsystem as its runner knows it."""
 
@@ -47,6 +50,8 @@ class RunningSubsystem:
         self.table = table
         self.members = {wired.name: Member(wired, rtpus[wired.name]) for wired in tasks}
         wired_tasks = [member.wired for member in self.members.values()]
+        self._readers = _by_variable((member, member.wired.invar) for member in self.members.values())
+        self._writers = _by_variable((member, member.wired.outvar) for member in self.members.values())
         self._suppliers = {svar: member for member in self.members.values() for svar in member.wired.outconst}
         self._written_before = {svar for svar in self._suppliers if self._is_written(svar)}
         hardware = [wired.name for wired in wired_tasks if wired.sheet.hardware]
@@ -108,11 +113,17 @@ class RunningSubsystem:
         nobody has followed them, and whatever a hardware task that comes on is fed from, because it has been holding
         meanwhile. Who has `finished` is off by then."""
         gone_off = {finished, *off}
-        staying = [m.wired for m in self.members.values() if m.state is State.ON and m.wired.name not in gone_off]
-        still_read = {svar for wired in staying for svar in wired.invar}
-        gone = {svar for name in (*off, *on) for svar in self.members[name].wired.invar} - still_read
+        turned = {svar for name in (*off, *on) for svar in self.members[name].wired.invar}
+        gone = {svar for svar in turned if not self._is_still_read(svar, gone_off)}
         fed = [self._fed[name] for name in on if name in self._fed]
         return tuple(sorted(gone.union(*fed)))
+
+    def _is_still_read(self, svar: str, gone_off: Collection[str]) -> bool:
+        """Whether somebody who is ON, and stays it, reads a variable."""
+        for member in self._readers.get(svar, ()):  # asked at every switch: no generator
+            if member.state is State.ON and member.wired.name not in gone_off:
+                return True
+        return False
 
     def starved(self, task: str) -> dict[str, str]:
         """The hardware that this task fed, through tasks that are ON, and the variable of the task (law 4)."""
@@ -136,19 +147,22 @@ class RunningSubsystem:
 
     def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, Reason]]:
         """Who would come on as a second writer of a variable, and why that is refused (law 9)."""
-        writers = {
-            svar: (name, member.state.value)
-            for name, member in self.members.items()
-            if member.state in (State.ON, State.ASKING) and name not in off and name not in on
-            for svar in member.wired.outvar
-        }
         clashes = []
+        coming: dict[str, str] = {}
         for name in dict.fromkeys(on):
             for svar in self.members[name].wired.outvar:
-                other, state = writers.setdefault(svar, (name, ""))
+                writer = self._writer(svar, off, on)
+                other = coming.setdefault(svar, name) if writer is None else writer.wired.name
                 if other != name:
-                    clashes.append((name, _second_writer(svar, other, state)))
+                    clashes.append((name, _second_writer(svar, other, "" if writer is None else writer.state.value)))
         return clashes
+
+    def _writer(self, svar: str, off: Collection[str], on: Collection[str]) -> Member | None:
+        """Who writes a variable and is not touched by a switch; of several the last."""
+        for member in reversed(self._writers[svar]):
+            if member.state in _WRITING and member.wired.name not in off and member.wired.name not in on:
+                return member
+        return None
 
     def dimension(self, name: str) -> int:
         """A constant that shapes depend on: as its supplier states it before it lives, else as written."""
@@ -160,6 +174,15 @@ class RunningSubsystem:
 
     def _is_written(self, svar: str) -> bool:
         return svar in self.table.entries and self.table.ring(svar).count > 0
+
+
+def _by_variable(flows: Iterable[tuple[Member, Iterable[str]]]) -> dict[str, list[Member]]:
+    """Who has to do with each variable, in the order of the tasks."""
+    members: dict[str, list[Member]] = {}
+    for member, names in flows:
+        for svar in names:
+            members.setdefault(svar, []).append(member)
+    return members
 
 
 def _second_writer(svar: str, other: str, state: str) -> Reason:

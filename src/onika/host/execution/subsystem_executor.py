@@ -232,11 +232,15 @@ class SubsystemExecutor:
         member = self.members.get(message.task)
         if member is None or member.rtpu in self._lost:
             return  # the last words of a unit that is gone: its tasks are dead already
-        kind, before, at_ns = type(message), member.state, happened_at(message, now)
-        self._tell_of(message, at_ns)
+        kind, before = type(message), member.state
+        if kind is news.Cycled:
+            self._client(message, before)  # it changes no state, and no session is told
+            return
+        at_s = self.seconds(happened_at(message, now))
+        self._tell_of(message, at_s)
         state = state_after(message)
         if state is not None:
-            self._turn(message.task, state, at_ns)
+            self._turn(message.task, state, at_s)
         if kind is news.Failed and before is State.ON and cast("news.Failed", message).entry != "off":
             self._has_failed_at_work(message.task)
         if state in (State.ON, State.ASKING):
@@ -260,7 +264,7 @@ class SubsystemExecutor:
     def end(self, task: str, now: int) -> None:
         """A task is gone without a word of its unit."""
         before = self.state(task)
-        self._turn(task, State.KILLED, now)
+        self._turn(task, State.KILLED, self.seconds(now))
         if before is State.ON:
             self._starve(task)
         self._client(news.Changed(self.name, task, State.KILLED.value, now), before)
@@ -282,7 +286,7 @@ class SubsystemExecutor:
     def _refuse(self, task: str, entry: str, reason: Reason) -> None:
         self._client(news.Refused(self.name, task, entry, reason), self.state(task))
 
-    def _turn(self, task: str, state: State, at_ns: int) -> None:
+    def _turn(self, task: str, state: State, at_s: float) -> None:
         member = self.members[task]
         member.state = state
         if state is not State.ERROR:
@@ -293,7 +297,7 @@ class SubsystemExecutor:
             self.open_questions.pop(task, None)
         if state is State.KILLED:
             self.spawner.release(task, member)
-        self._tell(event.TaskState(self.name, task, state.value, self.seconds(at_ns)))
+        self._tell(event.TaskState(self.name, task, state.value, at_s))
 
     # Events
 
@@ -306,8 +310,8 @@ class SubsystemExecutor:
         """Tell sessions something worth knowing that changes nothing."""
         self._tell(event.Warned(self.name, task, text, self.seconds(now)))
 
-    def _tell_of(self, message: news.TaskNews, at_ns: int) -> None:
-        task_event = self._task_event(message, self.seconds(at_ns))
+    def _tell_of(self, message: news.TaskNews, at_s: float) -> None:
+        task_event = self._task_event(message, at_s)
         if task_event is not None:
             self._tell(task_event)
 

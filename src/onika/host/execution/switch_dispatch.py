@@ -23,6 +23,7 @@ class SwitchDispatch:
 
     def __init__(self, subsystem: RunningSubsystem, units: Units, activations: Iterator[int]) -> None:
         self._subsystem = subsystem
+        self._only_unit = _only_unit(subsystem)
         self._units = units
         self._activations = activations
         self._waiting: deque[Group] = deque()
@@ -68,6 +69,7 @@ class SwitchDispatch:
     def replace(self, subsystem: RunningSubsystem) -> None:
         """From now on these are the tasks; what was still to come on does not."""
         self._subsystem = subsystem
+        self._only_unit = _only_unit(subsystem)
         self.drop()
 
     # Prepared switches
@@ -75,7 +77,7 @@ class SwitchDispatch:
     def prepare(self, task: str, cases: Sequence[tuple[orders.Case, tuple[str, ...]]]) -> Mapping[int, command.Switch]:
         """Have the switches ready for the finish of a task, each by its number; none where they are not on one unit."""
         members = self._subsystem.members
-        if len({member.rtpu for member in members.values()}) != 1:
+        if not self._only_unit:
             return {}
         ready: list[command.Case] = []
         for case, forget in cases:
@@ -102,11 +104,9 @@ class SwitchDispatch:
 
     def is_late(self, message: news.TaskNews) -> bool:
         """Whether news is about an earlier activation than the last one; an error and an end are never late."""
-        if isinstance(message, news.Failed):
+        if not 0 < getattr(message, "activation", 0) < self._launched.get(message.task, 0):
             return False
-        if isinstance(message, news.Changed) and message.state == State.KILLED.value:
-            return False
-        return 0 < getattr(message, "activation", 0) < self._launched.get(message.task, 0)
+        return not (isinstance(message, news.Failed) or _is_end(message))
 
     def settled(self, task: str) -> None:
         """A task that was to come on is ON, asks, has failed, was refused or is gone."""
@@ -130,20 +130,41 @@ class SwitchDispatch:
 
     def _groups(self, switch: orders.Switch, forget: tuple[str, ...]) -> list[Group]:
         """Everything that goes off or changes its rate, unit by unit, then neighbours that come on, as one group."""
-        name = self._subsystem.name
-        home = {task: member.rtpu for task, member in self._subsystem.members.items()}
+        launches = [
+            command.Launch(start.task, start.arguments, start.frequency, next(self._activations)) for start in switch.on
+        ]
+        if not self._only_unit:
+            return self._by_unit(switch, forget, launches)
+        if switch.off or launches or switch.kept_rates:
+            name = self._subsystem.name
+            return [(self._only_unit, command.Switch(name, switch.off, forget, tuple(launches), switch.kept_rates))]
+        return []
+
+    def _by_unit(
+        self, switch: orders.Switch, forget: tuple[str, ...], launches: Sequence[command.Launch]
+    ) -> list[Group]:
+        name, members = self._subsystem.name, self._subsystem.members
         changed = [*switch.off, *(task for task, _ in switch.kept_rates)]
         groups: list[Group] = []
-        for rtpu in sorted({home[task] for task in changed}):
-            off = tuple(task for task in switch.off if home[task] == rtpu)
-            rates = tuple((task, hz) for task, hz in switch.kept_rates if home[task] == rtpu)
+        for rtpu in sorted({members[task].rtpu for task in changed}):
+            off = tuple(task for task in switch.off if members[task].rtpu == rtpu)
+            rates = tuple((task, hz) for task, hz in switch.kept_rates if members[task].rtpu == rtpu)
             groups.append((rtpu, command.Switch(name, off, forget, (), rates)))
-        for start in switch.on:
-            launch = command.Launch(start.task, start.arguments, start.frequency, next(self._activations))
-            rtpu = home[start.task]
+        for launch in launches:
+            rtpu = members[launch.task].rtpu
             if groups and groups[-1][0] == rtpu:
                 last = groups[-1][1]
                 groups[-1] = (rtpu, structs.replace(last, on=(*last.on, launch)))
             else:
                 groups.append((rtpu, command.Switch(name, (), () if groups else forget, (launch,))))
         return groups
+
+
+def _only_unit(subsystem: RunningSubsystem) -> str:
+    """The unit on which all its tasks are; empty where there are several, or none."""
+    units = {member.rtpu for member in subsystem.members.values()}
+    return units.pop() if len(units) == 1 else ""
+
+
+def _is_end(message: news.TaskNews) -> bool:
+    return isinstance(message, news.Changed) and message.state == State.KILLED.value

@@ -12,6 +12,9 @@ TaskEvent = Callable[[news.TaskNews, float], event.Event | None]
 """Makes the event of a piece of news at a time in seconds; None where nothing is told but the change of state."""
 
 
+_TOLD_IN_A_RUN = frozenset((news.Failed, news.Warned, news.Stepped))
+
+
 def by_hand(message: news.TaskNews, at_s: float) -> event.Event | None:
     """The event of a task that no application runs: every signal is told."""
     match message:
@@ -30,6 +33,8 @@ def by_hand(message: news.TaskNews, at_s: float) -> event.Event | None:
 
 def in_a_run(message: news.TaskNews, at_s: float) -> event.Event | None:
     """The event of an application's task: signals are answered by the engine; only a step that is too far is told."""
+    if type(message) not in _TOLD_IN_A_RUN:
+        return None
     match message:
         case news.Failed() | news.Warned():
             return by_hand(message, at_s)

@@ -15,6 +15,8 @@ _ENDS_WORK = ("ILLEGAL", "SHUTDOWN")
 def of_task(flow: int, message: news.TaskNews, before: State) -> engine_news.News | None:
     """The engine's news of a task that was in the state `before`; None where it does not matter to the engine."""
     task = message.task
+    if type(message) is news.Cycled:
+        return None
     match message:
         case news.Finished():
             return engine_news.Finished(flow, task, message.flow, message.loop, message.switched)

@@ -39,6 +39,10 @@ from onika.words.reason import Reason
 
 Tell = Callable[[event.Event], None]
 
+_COUNTED = frozenset((news.Stepped, news.Cycled, news.Finished, news.Failed))
+
+_NOTES = (orders.Began, orders.Done, orders.Moved, orders.RunNote)
+
 _MAY_STOP = (news.Failed, news.Signalled, news.Refused)
 """After this news a flow may stand still, which is explained."""
 
@@ -272,7 +276,8 @@ class Runner:
 
     def _follow(self, flow: int, message: news.TaskNews, before: State) -> None:
         """As the executor's client: count what is counted, and tell the engine."""
-        self._count(flow, message)
+        if type(message) in _COUNTED:
+            self._count(flow, message)
         meaning = of_task(flow, message, before)
         if meaning is None:
             if isinstance(message, news.Refused):
@@ -312,7 +317,10 @@ class Runner:
 
     def _feed(self, message: engine_news.News) -> None:
         for order in self._engine.feed(message):
-            self._carry_out(order)
+            if isinstance(order, _NOTES):
+                self._note(order)
+            else:
+                self._carry_out(order)
         self._stands_still = self._engine.stands_still
         if not self.is_over:
             self._prepared_switches.refresh()
@@ -343,8 +351,6 @@ class Runner:
             case orders.Convene() | orders.Disperse():
                 if self.rendezvous is not None:
                     self.rendezvous.order(order)
-            case _:
-                self._note(order)
 
     def _note(self, note: FlowNote) -> None:
         self._events.note(note, self._now)

@@ -142,7 +142,10 @@ class Subsystems:
 
     def run_in(self, subsystem: str) -> ApplicationRun | None:
         """The application that runs in a subsystem."""
-        return next((run for run in self.runs if subsystem in run.names), None)
+        for run in self.runs:  # at all that is heard of a task: no generator
+            if subsystem in run.names:
+                return run
+        return None
 
     def perform(self, run: ApplicationRun) -> None:
         """An application begins."""

@@ -29,7 +29,7 @@ _ROUNDS = 200
 """Tasks that run one after the other at one instant before somebody else is listened to: a loop whose jobs end as soon
 as they begin takes no time at all, and it has to be possible to end it."""
 _AT_ONCE = 1000  # cycles without news that are run before anybody is asked
-_NOTHING_HAPPENED = news.Statuses | news.Loads | news.Stepped
+_NOTHING_HAPPENED = (news.Statuses, news.Loads, news.Stepped)
 """Times of the wall, and what tells of what was looked at."""
 
 

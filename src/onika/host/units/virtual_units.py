@@ -8,6 +8,8 @@ from msgspec import structs
 from onika.runtime import command, news
 from onika.runtime.execution.executive import Executive
 
+_OF_UNITS = (news.Statuses, news.Loads)
+
 Heard = Callable[[str, news.News], None]
 """Takes what a unit says."""
 
@@ -59,7 +61,7 @@ class VirtualUnits:
     def tell(self, newses: Sequence[news.News], heard: Heard) -> None:
         """Each of them as what the unit says that it is of."""
         for one in newses:
-            if isinstance(one, news.Statuses | news.Loads):
+            if isinstance(one, _OF_UNITS):
                 heard(one.rtpu, one)
             else:
                 heard(self.homes.get((getattr(one, "subsystem", ""), getattr(one, "task", "")), ""), one)

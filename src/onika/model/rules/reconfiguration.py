@@ -59,9 +59,9 @@ def difference(on_now: Iterable[str], wanted: Sequence[str]) -> TaskSwitch:
     before = dict.fromkeys(on_now)
     after = dict.fromkeys(wanted)
     return TaskSwitch(
-        off=tuple(name for name in before if name not in after),
-        keep=tuple(name for name in after if name in before),
-        on=tuple(name for name in after if name not in before),
+        off=tuple([name for name in before if name not in after]),  # lists: every switch of a run is judged so
+        keep=tuple([name for name in after if name in before]),
+        on=tuple([name for name in after if name not in before]),
     )
 
 

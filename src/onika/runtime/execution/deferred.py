@@ -15,6 +15,8 @@ from onika.runtime.modules.code import compiled
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
+_PIECES = (command.Spawn, command.Swap)
+
 PATIENCE_NS = 2_000_000_000
 """After so long without a gap that is large enough there will be none."""
 
@@ -75,6 +77,8 @@ class DeferredCommands:
 
     def sift(self, order: command.Command, now: int) -> command.Command | None:
         """What of a command is to be carried out at once; the rest is put aside, or behind what is put aside."""
+        if not self._pieces and not isinstance(order, _PIECES):
+            return order
         match order:
             case command.Spawn() | command.Swap():
                 return self._sift_piece(order, now)

@@ -25,7 +25,9 @@ from onika.runtime.modules.binding_guard import BindingChanged
 from onika.runtime.scheduler import TaskSlot
 
 _NOTHING: Sequence[news.News] = ()
-_HARMLESS = command.Switch | command.Together | command.PreparedSwitch | command.Answer | command.Report | command.Load
+_SWITCHES = (command.Switch, command.Together)
+_APPOINTMENTS = (command.Appointment, command.CallOff)
+_HARMLESS = (*_SWITCHES, command.PreparedSwitch, command.Answer, command.Report, command.Load)
 """After these every task is still the same, and bound to the same."""
 
 
@@ -232,11 +234,11 @@ class Executive:
 
     def _follow(self, order: command.Command, now: int) -> None:
         """Carry out what of a command does not have to wait for something deferred."""
-        if isinstance(order, command.Switch | command.Together):
+        if isinstance(order, _SWITCHES):
             switches = order.switches if isinstance(order, command.Together) else (order,)
             self._lifecycle.switch([self._deferred.sift_switch(switch) for switch in switches], now)
             return
-        if isinstance(order, command.Appointment | command.CallOff):
+        if isinstance(order, _APPOINTMENTS):
             self._appoint(order, now)
             return
         at_once = self._deferred.sift(order, now)
@@ -310,6 +312,8 @@ class Executive:
     def _first_cycle(self, task: RunningTask, now: int) -> None:
         if not task.goes_on:
             self._unit.tell(news.Cycled(*task.address, now, task.activation))
+        if task.is_looked_at:
+            return
         try:
             task.no_strays()
         except BindingChanged as wrong:

@@ -51,6 +51,8 @@ class RunningTask:
         self.slot = TaskSlot(self.key, self.period_ns)
         self.counters, self.last_profile = Counters(), Counters()
         self.is_first = False
+        self.is_looked_at = False
+        """Whether its first cycle was one after which its module was looked at."""
         self.goes_on = False
         self.is_initialised = False
         self.init_took_ns = 0
@@ -206,8 +208,7 @@ class RunningTask:
     def on(self, now: int, inputs: SimpleNamespace) -> None:
         """All inputs in, own outputs preloaded, `on`, out."""
         self.begin(now, inputs)
-        self.binding.publish_changed()
-        self.is_first = True
+        self.publish()
 
     def begin(self, now: int, inputs: SimpleNamespace) -> None:
         """All of `on` but what others see of it."""
@@ -230,7 +231,7 @@ class RunningTask:
     def publish(self) -> None:
         """Outputs that `on` changed out."""
         self.binding.publish_changed()
-        self.is_first = True
+        self.is_first, self.is_looked_at = True, False
 
     def cycle(self, now: int) -> Signal | None:
         """Copy in, cycle, copy out, times."""
@@ -250,6 +251,7 @@ class RunningTask:
         took, counters = perf_counter_ns() - began, self.counters
         if not counters.cycles & self.check_mask:
             self.no_strays()
+            self.is_looked_at = True
         counters.total_ns += took  # as Counters.add, without a call: this runs thousands of times a second
         counters.cycles += 1
         if took > counters.most_ns:  # noqa: PLR1730 - a call of max would cost as much again

@@ -1,6 +1,7 @@
 """The binding guard: it finds what a module may not do to itself while it lives, such as replacing a bound port."""
 
 from collections.abc import Collection
+from itertools import starmap
 from operator import attrgetter, is_
 from types import MappingProxyType
 from typing import Any
@@ -29,6 +30,7 @@ class BindingGuard:
         self._class = type(instance)
         self._ports = dict(self._class.declared_ports)
         self._flags = {flag: getattr(self._class, flag) for flag in _FLAGS}
+        self._flag_values = tuple(self._flags.values())
         self._buffers = {slot(port): getattr(instance, slot(port)) for port in self._ports}
         self._definitions = tuple((vars(cls), tuple(vars(cls).values())) for cls in _own_classes(self._class))
         self._harmless: Collection[str] = ()
@@ -56,10 +58,10 @@ class BindingGuard:
             own.keys() == self._harmless
             and type(instance) is self._class
             and all(map(is_, map(own.get, self._buffers), self._buffers.values()))
-            and all(_holds(now, then) for now, then in self._definitions)
+            and all(starmap(_holds, self._definitions))
             and self._class.declared_ports.keys() == self._ports.keys()
             and all(map(is_, map(self._class.declared_ports.get, self._ports), self._ports.values()))
-            and _flags_of(instance) == tuple(self._flags.values())
+            and _flags_of(instance) == self._flag_values
         )
 
     def _strays(self) -> list[Reason]:
