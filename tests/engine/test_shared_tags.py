@@ -4,7 +4,20 @@ import pytest
 
 from kit.plans import build
 from onika.engine.news import Agreed, BegunAlone, Cleared, Closed, Failed, Finished, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Clear, Convene, Disperse, Done, Kill, Launch, Moved, Off, Switch, Together
+from onika.engine.orders import (
+    Began,
+    Clear,
+    Convene,
+    Disperse,
+    Done,
+    Kill,
+    Launch,
+    Moved,
+    Off,
+    RunNote,
+    Switch,
+    Together,
+)
 from onika.wire.plan import Do, Halt, Meet
 from onika.wire.steer import Pass, Pause, Recover, Resume, Skip
 from onika.words.reason import Reason
@@ -109,6 +122,41 @@ def test_without_a_user_who_decides_who_has_begun_alone_ends_the_run(made):
     come(made)
     made.feed(Agreed("x"))
     assert {type(order) for order in made.feed(ALONE)} == {Kill}
+
+
+HARMLESS = BegunAlone("x", Reason.plain("B did not begin"), drives=False)
+
+
+@pytest.mark.parametrize("stands_still", [False, True])
+def test_who_has_begun_alone_and_moves_nothing_waits_at_the_tag_again(stands_still):  # R-F02, decision 56
+    made = engine(stands_still=stands_still)
+    come(made)
+    made.feed(Agreed("x"))
+    be_on(made, 0, "grip")
+    orders = made.feed(HARMLESS)
+    assert orders[0] == RunNote(0, HARMLESS.cause)
+    assert without_notes(orders[1:]) == [Off(0, "grip"), Convene("x", (0,), (Switch(0, (), (GRIP_ON,)),), anew=True)]
+    assert made.positions()[0].state == "waiting"
+    assert without_notes(made.feed(Agreed("x", 9))) == [Switch(0, (), (GRIP_ON,), (), 9)]
+
+
+def test_flows_that_meet_again_are_convened_when_the_last_of_them_is_there():
+    made = engine(build.flow([REACH, GRIP], MEETS), build.flow([REACH, GRIP], MEETS))
+    come(made, 0)
+    come(made, 1)
+    made.feed(Agreed("x"))
+    convened = [order.flows for order in made.feed(HARMLESS) if isinstance(order, Convene)]
+    assert convened == [(0, 1)]
+
+
+def test_a_flow_that_has_stopped_at_an_error_of_its_own_waits_for_its_user_all_the_same():  # R-E08
+    made = engine(stands_still=True)
+    come(made)
+    made.feed(Agreed("x"))
+    be_on(made, 0, "grip")
+    made.feed(Failed(0, "arm", Reason.plain("broken")))
+    made.feed(HARMLESS)
+    assert made.positions()[0].state == "stopped"
 
 
 def test_what_a_trigger_said_while_it_was_alone_ends_nothing():

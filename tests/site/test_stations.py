@@ -107,17 +107,6 @@ class Sites:
             with contextlib.suppress(queue.Empty):
                 self.things.get(timeout=0.05)()
 
-    def until_met(self, reached):
-        """The same of a run; on a busy machine a flow may have begun alone and be held: its user clears it."""
-
-        def is_reached():
-            for number, flow in enumerate(self.environment.tree.run.flows.values()):
-                if flow.text.key == "host.began_alone":
-                    self.environment.do(act.Steer(f"clear {number}"), "me", lambda _: None)
-            return reached()
-
-        self.until(is_reached)
-
     def state(self, name):
         return self.environment.tree.documents[self.docs[name]].tasks["wave"].state
 
@@ -173,9 +162,9 @@ def test_of_a_run_at_three_runtimes_two_meet_while_the_third_is_cut_off_and_stop
     def done():
         return [flow.done for flow in sites.environment.tree.run.flows.values()]
 
-    sites.until_met(lambda: done()[:2] == [1, 1])  # all have begun together
+    sites.until(lambda: done()[:2] == [1, 1])  # all have begun together
     sites.there["livermore"].cut()
-    sites.until_met(lambda: done()[:2] == [2, 2])  # they have met at the tag
+    sites.until(lambda: done()[:2] == [2, 2])  # they have met at the tag
     sites.until(lambda: sites.environment.tree.stations["livermore"].is_cut)
     assert sites.environment.tree.run.state == "running"
     assert [sites.environment.tree.stations[name].is_cut for name in NAMES] == [False, False, True]

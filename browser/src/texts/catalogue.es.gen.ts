@@ -2135,6 +2135,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.loading_takes_long": "tarda {seconds:g} s o más en cargarse",
   "host.made_by": "lo hizo {task}",
   "host.made_out_of": "a partir de {variable}, de {task}",
+  "host.meets_again": "ha empezado solo en la marca {tag}; nada suyo mueve nada, así que todos vuelven a encontrarse allí",
   "host.module_not_used": "el módulo {module} no se usa",
   "host.module_twice": "se esperaba el módulo {module} una sola vez en un flujo; está también en la tarea {other}",
   "host.name_form": "se esperaba un nombre en {what} (una letra, luego letras, cifras, _ . -); hay {name:quoted}",

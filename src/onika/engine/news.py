@@ -129,10 +129,14 @@ class Closed:
 
 @dataclass(frozen=True, slots=True)
 class BegunAlone:
-    """What began at a tag is held, for the flows of other runtimes were not heard to have begun."""
+    """What began at a tag is held, for the flows of other runtimes were not heard to have begun.
+
+    `drives`: it may have moved something, so a user decides what follows; else all meet again at once.
+    """
 
     tag: str
     cause: Reason
+    drives: bool = True
 
 
 @dataclass(frozen=True, slots=True)

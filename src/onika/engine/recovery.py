@@ -2,7 +2,7 @@
 
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import FlowRouter
-from onika.engine.orders import Clear, Order
+from onika.engine.orders import Clear, Order, RunNote
 from onika.engine.progress import Progress
 from onika.words.reason import Reason
 
@@ -39,6 +39,12 @@ class ErrorRecovery:
     def alone(self, flow: Progress, cause: Reason) -> list[Order]:
         """The flow has begun alone: it waits for its user, where it has not stopped at an error of it already."""
         return self._stop(flow, cause)
+
+    def meet_again(self, flow: Progress, cause: Reason) -> list[Order]:
+        """The flow has begun alone, and has moved nothing: it waits at the tag once more, as if nothing had been."""
+        triggers = flow.step.triggers if flow.step is not None else ()
+        off = flow.flow_tasks.rest(triggers)
+        return [RunNote(flow.flow, cause), *off, *self._router.come_back(flow, flow.go_back())]
 
     def recover(self, flow: Progress) -> list[Order]:
         """The user wants it: clear what is in ERROR, then repeat the step."""

@@ -1,7 +1,8 @@
 """Tags that flows of this runtime share with flows of others: who may go on there is agreed elsewhere (decision 56).
 
 When all flows of this runtime that meet at the tag are there, they are convened. They begin when that is agreed; but
-no action that has begun so is ended before all others are known to have begun theirs. Who has begun alone stops.
+no action that has begun so is ended before all others are known to have begun theirs. Who has begun alone stops; where
+nothing of it can have moved anything, all meet again at once.
 """
 
 from collections.abc import Callable
@@ -9,7 +10,7 @@ from collections.abc import Callable
 from onika.engine.flow import FlowState
 from onika.engine.flow_router import FlowRouter
 from onika.engine.news import Agreed, BegunAlone, Closed, Finished
-from onika.engine.orders import Order
+from onika.engine.orders import Convene, Order
 from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
 from onika.words.reason import Reason
@@ -67,11 +68,20 @@ class SharedTags:
             self._finished.pop(flow.flow, None)
             if flow.state in (FlowState.KILLING, FlowState.ENDED):
                 continue
-            if not self._recovery.stands_still:
-                return orders + self._abort(news.cause)
             flow.alone_at = flow.met_at
-            orders += self._recovery.alone(flow, news.cause)
-        return orders
+            if flow.state is FlowState.RUNNING and not news.drives:
+                orders += self._recovery.meet_again(flow, news.cause)
+            elif self._recovery.stands_still:
+                orders += self._recovery.alone(flow, news.cause)
+            else:
+                return orders + self._abort(news.cause)
+        return _convened_once(orders)
 
     def _of(self, tag: str) -> list[Progress]:
         return [flow for flow in self._flows if flow.open_tag == tag]
+
+
+def _convened_once(orders: list[Order]) -> list[Order]:
+    """Flows that come back together are convened when the last of them is there."""
+    last = [order for order in orders if isinstance(order, Convene)][-1:]
+    return [*(order for order in orders if not isinstance(order, Convene)), *last]

@@ -224,11 +224,15 @@ class Statuses(Struct, frozen=True, tag=True):
 
 
 class Appointed(Struct, frozen=True, tag=True):
-    """The time of an appointment is there: it has begun, or was not permitted, or it was too late."""
+    """The time of an appointment is there: it has begun, or was not permitted, or it was too late.
+
+    `drives`: a task of its subsystems has a device or an outside partner, so that what has begun moves something.
+    """
 
     number: int
     at_ns: int
     has_begun: bool
+    drives: bool = True
 
 
 class HeldAlone(Struct, frozen=True, tag=True):

@@ -139,6 +139,25 @@ def test_what_another_has_not_begun_is_held_at_once(rig):
     assert isinstance(rig.fed[-1], BegunAlone)
 
 
+def test_what_begins_alone_and_drives_nothing_may_meet_again_unasked(rig):  # R-F02, decision 56
+    rig.agree()
+    rig.meeting.hear("rt0", news.Appointed(1, rig.now, has_begun=True, drives=False), rig.now)
+    rig.line.other.meetings[0].missed(1, rig.now)
+    rig.serve()
+    assert (rig.fed[-1].drives, rig.fed[-1].cause.key) == (False, "host.meets_again")
+
+
+@pytest.mark.parametrize("driving", ["rt0", "rt1"])
+def test_where_one_unit_drives_something_a_user_decides(driving):  # law 34
+    rig = Rig(("rt0", "rt1"))
+    rig.agree()
+    for rtpu in ("rt0", "rt1"):
+        rig.meeting.hear(rtpu, news.Appointed(1, rig.now, has_begun=True, drives=rtpu == driving), rig.now)
+    rig.line.other.meetings[0].missed(1, rig.now)
+    rig.serve()
+    assert (rig.fed[-1].drives, rig.fed[-1].cause.key) == (True, "host.began_alone")
+
+
 def test_what_was_not_begun_is_not_told_to_the_engine(rig):
     rig.agree()
     rig.appoint(has_begun=False)

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from kit.engine.rendezvous_runtime import HONEST, Parts, SimExecutive
+from kit.engine.rendezvous_runtime import HONEST, Parts, SimExecutive, SimRuntime
 from onika.engine.rendezvous import Rendezvous
 from onika.engine.rendezvous_exchange import RendezvousExchange, _Peer
 from onika.engine.rendezvous_orders import AllMet, Confirm, Permit, RendezvousOrder
@@ -14,7 +14,9 @@ class HoldsNobody(SimExecutive):
 
 
 class BeginsLate(SimExecutive):
-    late_ns = 10**12
+    def __init__(self, runtime: SimRuntime, *, is_shared: bool) -> None:
+        super().__init__(runtime, is_shared=is_shared)
+        self.late_ns = 10**12
 
 
 class CommitsLate(Rendezvous):
@@ -69,6 +71,15 @@ class GoesOnWithoutHearingOfBegins(Rendezvous):
         return [Confirm(self.state.attempt), AllMet()]
 
 
+class MeetsAgainUnasked(Rendezvous):
+    """As if whatever has begun alone had moved nothing."""
+
+    def _stop(self) -> list[RendezvousOrder]:
+        orders = super()._stop()
+        self._is_clearing = True
+        return orders
+
+
 class BelievesEveryLife(RendezvousExchange):
     def _counts(self, peer: _Peer, count: int, report: RendezvousReport) -> bool:
         return True
@@ -80,5 +91,6 @@ MISTAKES: dict[str, Parts] = {
     "goes on without hearing of begins": replace(HONEST, rendezvous=GoesOnWithoutHearingOfBegins),
     "begins late": replace(HONEST, rendezvous=CommitsLate, executive=BeginsLate),
     "believes every life": replace(HONEST, exchange=BelievesEveryLife),
+    "meets again unasked": replace(HONEST, rendezvous=MeetsAgainUnasked),
     "holds nobody": replace(HONEST, executive=HoldsNobody),
 }

@@ -1,14 +1,16 @@
 """The oracle of simulated meetings: it knows what really happened, and says which promise was broken.
 
 R1 nobody begins before all have come to the tag; R2 who begin together begin within twice the error of their clocks;
-R3 who begins alone is held in time; R4 nobody goes on behind a tag that another has not begun; R5 when the faults are
-over, and users clear, everybody who has not crashed comes to his end. Whom a user let pass counts as having been there.
+R3 who begins alone is held in time, and begins only when that was cleared; R4 nobody goes on behind a tag that another
+has not begun; R5 when the faults are over, and users clear, everybody who has not crashed comes to his end. Whom a user
+let pass counts as having been there.
 """
 
 from collections import Counter
 from collections.abc import Iterable
 
 from onika.engine.rendezvous_terms import LATE_NS, RendezvousTerms
+from onika.runtime.execution.appointments import SHARED_LATE_NS
 
 Attempt = tuple[int, int]
 """A visit, and the number of an attempt."""
@@ -30,6 +32,7 @@ class RendezvousOracle:
         self._begun: set[tuple[int, int]] = set()
         self._ends: dict[tuple[int, Attempt], int] = {}
         self._moving: dict[int, Attempt] = {}
+        self._alone: set[int] = set()
 
     def comes(self, site: int, visit: int) -> None:
         """The flows of a runtime have come to the tag for this time."""
@@ -38,6 +41,14 @@ class RendezvousOracle:
     def leaves(self, site: int) -> None:
         """They are gone from it before they began."""
         self._visits[site] -= 1
+
+    def is_alone(self, site: int) -> None:
+        """A runtime says that its flows have begun alone, and are held."""
+        self._alone.add(site)
+
+    def clears(self, site: int) -> None:
+        """They may begin again: a user wants it, or they have moved nothing."""
+        self._alone.discard(site)
 
     def passes(self, site: int, visit: int) -> None:
         """A user lets them pass, or all others have passed."""
@@ -52,6 +63,8 @@ class RendezvousOracle:
         absent = [other for other in self._needed(visit) if self._visits[other] < visit]
         if absent:
             self.faults.append(f"R1: {site} begins visit {visit}, {absent} are not there")
+        if site in self._alone:
+            self.faults.append(f"R3: {site} begins visit {visit} and was not cleared")
         self.begins.setdefault((visit, attempt), {})[site] = now_ns
         self._begun.add((site, visit))
         self._moving[site] = (visit, attempt)
@@ -81,7 +94,7 @@ class RendezvousOracle:
 
     def _judge_together(self, attempt: Attempt, times: dict[int, int]) -> None:
         apart_ns = max(times.values()) - min(times.values())
-        if apart_ns > 2 * self._terms.clock_ns + LATE_NS:
+        if apart_ns > 2 * self._terms.clock_ns + SHARED_LATE_NS:
             self.faults.append(f"R2: {attempt} begins {apart_ns} ns apart")
 
     def _judge_alone(self, attempt: Attempt, times: dict[int, int], now_ns: int) -> None:

@@ -22,7 +22,8 @@ from onika.engine.rendezvous_orders import (
     RepeatStep,
     Revoke,
 )
-from onika.engine.rendezvous_terms import EVERY_NS, LATE_NS
+from onika.engine.rendezvous_terms import EVERY_NS
+from onika.runtime.execution.appointments import LATE_NS, SHARED_LATE_NS
 from onika.wire.rendezvous import Phase, RendezvousReport
 
 if TYPE_CHECKING:
@@ -30,16 +31,21 @@ if TYPE_CHECKING:
 
 VISITS = 4
 _RUN = bytes(16)
+_TURN_NS = 6_000_000
 
 
 class SimExecutive:
-    """Begins by itself at the agreed time, and holds by itself; a frozen program does not keep it from that."""
+    """Begins by itself at the agreed time, and holds by itself; a frozen program does not keep it from that.
 
-    late_ns = LATE_NS
+    Where its machine grants no real time (`is_shared`) it gets its turn some milliseconds late, and may.
+    """
+
     holds = True
 
-    def __init__(self, runtime: SimRuntime) -> None:
+    def __init__(self, runtime: SimRuntime, *, is_shared: bool) -> None:
         self.runtime = runtime
+        self.is_shared = is_shared
+        self.late_ns = SHARED_LATE_NS if is_shared else LATE_NS
         self.attempt = 0
         self.permit = 0
         self.closed = 0
@@ -49,7 +55,8 @@ class SimExecutive:
     def arm(self, attempt: int, at_ns: int) -> None:
         """Be ready for this attempt."""
         self.attempt, self.at_ns = attempt, at_ns
-        self.runtime.clock.at(at_ns, partial(self._begin, attempt))
+        turn_ns = int(self.runtime.history.time.random.expovariate(1 / _TURN_NS)) if self.is_shared else 0
+        self.runtime.clock.at(at_ns + turn_ns, partial(self._begin, attempt))
 
     def disarm(self, attempt: int) -> None:
         """Forget the permit, and what was to begin if that is long before."""
@@ -106,7 +113,10 @@ class SimRuntime:
         self.clock = SimClock(history.time)
         self.exchange = parts.exchange(_RUN, site, epochs, [tuple(epochs)], history.terms, parts.rendezvous)
         self.meeting = self.exchange.meetings[0]
-        self.executive = parts.executive(self)
+        random = history.time.random
+        self.drives = random.random() < 0.5
+        """Whether its flows move anything; where they do not, they meet again by themselves."""
+        self.executive = parts.executive(self, is_shared=random.random() < 0.3)
         self.visit = 0
         self.frozen_ns = 0
         self.machine_frozen_ns = 0
@@ -168,8 +178,9 @@ class SimRuntime:
             self._go_on(self.visit)
 
     def clear(self, visit: int) -> None:
-        """The user clears what was held."""
+        """The user clears what was held, or it has moved nothing."""
         if not self.is_gone and self.visit == visit and self.meeting.state.phase is Phase.STOPPED:
+            self.history.oracle.clears(self.site)
             self._do(self.meeting.clear(self.clock.now_ns))
 
     def _tell(self, news: Callable[[int, int], list[RendezvousOrder]], attempt: int) -> None:
@@ -206,7 +217,11 @@ class SimRuntime:
                     self._go_on(self.visit)
                 case Alone():
                     self._steps += 1
-                    self.history.time.after(self.history.time.uniform(200, 2_000), partial(self._see, self.visit))
+                    history.oracle.is_alone(self.site)
+                    if not self.drives:
+                        history.time.after(0, partial(self.soon, partial(self.clear, self.visit)))
+                    else:
+                        history.time.after(history.time.uniform(200, 2_000), partial(self._see, self.visit))
                 case RepeatStep() | MeetAgain():
                     pass
 

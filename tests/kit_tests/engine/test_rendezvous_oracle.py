@@ -2,6 +2,7 @@ import pytest
 
 from kit.engine.rendezvous_oracle import RendezvousOracle
 from onika.engine.rendezvous_terms import LATE_NS, RendezvousTerms
+from onika.runtime.execution.appointments import SHARED_LATE_NS
 
 MS = 1_000_000
 TERMS = RendezvousTerms(MS, MS)
@@ -19,7 +20,7 @@ def test_who_begins_before_all_are_there_is_complained_of(oracle):
     assert oracle.faults == ["R1: 0 begins visit 1, [1] are not there"]
 
 
-@pytest.mark.parametrize(("apart_ns", "count"), [(2 * MS + LATE_NS, 0), (2 * MS + LATE_NS + 1, 1)])
+@pytest.mark.parametrize(("apart_ns", "count"), [(2 * MS + SHARED_LATE_NS, 0), (2 * MS + SHARED_LATE_NS + 1, 1)])
 def test_who_begin_together_begin_within_the_error_of_their_clocks(oracle, apart_ns, count):
     oracle.comes(1, 1)
     oracle.begins_at(0, 1, 1, 0)
@@ -59,3 +60,14 @@ def test_who_has_crashed_is_held(oracle):
     oracle.crashes(0, 5 * MS)
     oracle.final(10**9, [])
     assert (oracle.faults, oracle.longest_alone_ns) == ([], 5 * MS)
+
+
+def test_who_was_held_and_begins_uncleared_is_complained_of(oracle):
+    oracle.comes(1, 1)
+    oracle.is_alone(0)
+    oracle.clears(0)
+    oracle.begins_at(0, 1, 1, 0)
+    assert oracle.faults == []
+    oracle.is_alone(0)
+    oracle.begins_at(0, 1, 2, 0)
+    assert oracle.faults == ["R3: 0 begins visit 1 and was not cleared"]

@@ -135,8 +135,6 @@ def test_flows_are_carried_out_at_two_runtimes_and_meet_there_by_themselves(me, 
     expect(page.get_by_text(re.compile("^apart is done: 3 actions")).first).to_be_visible(timeout=20_000)
     opened(me, "together")
     run = run_apart(me, "together")
-    # On a busy machine a flow may have begun alone and be held: its user clears it.
-    page.add_locator_handler(run.get_by_role("button", name="Try again").first, lambda again: again.click())
     expect(run).to_contain_text(re.compile(r"flows meet at tags on cmu, sandia.*held after [\d.]+ ms"), timeout=20_000)
     expect(page.get_by_text(re.compile("^together is done: 4 actions")).first).to_be_visible(timeout=30_000)
     expect(run).to_contain_text("held after")

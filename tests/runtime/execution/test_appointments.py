@@ -3,7 +3,7 @@ import pytest
 from onika.engine.rendezvous_terms import LATE_NS as AGREED_LATE_NS
 from onika.ring.begin_words import BeginWords
 from onika.runtime.command import Appointment
-from onika.runtime.execution.appointments import LATE_NS, NEVER, Appointments, AppointmentStep
+from onika.runtime.execution.appointments import LATE_NS, NEVER, SHARED_LATE_NS, Appointments, AppointmentStep
 
 MS = 1_000_000
 ORDER = Appointment(3, 100 * MS, 80 * MS, ("flow0",))
@@ -40,6 +40,15 @@ def test_what_is_not_permitted_or_late_does_not_begin(words, appointments):  # l
         appointments.keep(ORDER)
         assert steps(appointments, 100 * MS + late_ns) == [step]
     assert LATE_NS == AGREED_LATE_NS
+
+
+def test_without_real_time_it_may_begin_as_late_as_a_unit_gets_its_turn_there(words, appointments):  # law 34
+    words.permit(3)
+    appointments.late_ns = SHARED_LATE_NS
+    assert steps(appointments, 100 * MS + SHARED_LATE_NS) == [AppointmentStep.BEGIN]
+    appointments.keep(ORDER)
+    assert steps(appointments, 100 * MS + SHARED_LATE_NS + 1) == [AppointmentStep.MISS]
+    assert SHARED_LATE_NS > LATE_NS
 
 
 def test_what_nobody_confirms_is_held_so_long_after_its_time_however_late_it_began(words, appointments):  # law 34

@@ -7,6 +7,7 @@ from kit.runtime.executive_rig import HOME, ExecutiveRig
 from kit.worlds.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
+from onika.runtime.execution.appointments import SHARED_LATE_NS
 
 MS = 1_000_000
 ARM = """
@@ -20,6 +21,7 @@ class One(Module):
         self.device.write((self.F,))
 """
 FORCE = module("    F = OutVar('double')\n    def cycle(self):\n        self.F = 1.0")
+ASKS = module("    def init(self):\n        self.partner = Partner('unix:/nobody', '', 1.0)")
 AT, HOLD = 200 * MS, 80 * MS
 
 
@@ -96,13 +98,36 @@ def test_a_stop_ends_what_was_appointed(rig):  # law 27
     assert rig.task("force").state is State.OFF
 
 
+def test_a_unit_that_shares_its_processor_may_begin_later(rig):  # law 34
+    rig.begin_words.permit(1)
+    rig.executive.share_processor()
+    rig.executive.run_due(AT + SHARED_LATE_NS, 1)
+    assert rig.task("force").state is State.ON
+
+
+def test_what_begins_drives_something_where_a_task_of_its_subsystems_has_a_device(rig):  # decision 56
+    rig.begin_words.permit(1)
+    rig.run(AT)
+    assert rig.last(news.Appointed).drives
+    rig.begin_words.permit(2)
+    rig.do(command.Appointment(2, AT + MS, HOLD, ("another",))).run(AT + MS)
+    assert not rig.last(news.Appointed).drives
+
+
+def test_an_outside_partner_counts_as_something_that_is_driven():  # decision 56
+    rig = ExecutiveRig().spawn("asks", ASKS)
+    rig.begin_words.permit(1)
+    rig.do(command.Appointment(1, AT, HOLD, (HOME,))).run(AT)
+    assert rig.last(news.Appointed).drives
+
+
 def test_a_unit_without_tasks_that_are_on_keeps_its_appointment():
     rig = ExecutiveRig().spawn("force", FORCE)
     rig.begin_words.permit(7)
     rig.do(command.Appointment(7, AT, HOLD, (HOME,)))
     assert rig.executive.next_release() == AT
     rig.run(AT)
-    assert rig.last(news.Appointed) == news.Appointed(7, AT, has_begun=True)
+    assert rig.last(news.Appointed) == news.Appointed(7, AT, has_begun=True, drives=False)
 
 
 def test_devices_of_other_subsystems_are_not_held(rig):

@@ -52,6 +52,7 @@ class _Attempt:
     awaited: set[str]
     units: tuple[str, ...]
     begun: set[str] = field(default_factory=set)
+    drives: bool = False
 
 
 class RunRendezvous:
@@ -173,6 +174,7 @@ class RunRendezvous:
         attempt.awaited.discard(rtpu)
         if message.has_begun:
             attempt.begun.add(rtpu)
+            attempt.drives |= message.drives
 
     def _all_appointed(self, attempt: _Attempt, meeting: Rendezvous, now: int) -> None:
         """Every unit has said whether it has begun."""
@@ -208,8 +210,7 @@ class RunRendezvous:
             case RepeatStep():
                 self._feed(engine_news.Agreed(name))
             case Alone():
-                absent = tuple(self._titles[site] for site in order.absent)
-                self._feed(engine_news.BegunAlone(name, self._why_alone(tag, absent)))
+                self._tell_alone(tag, order)
 
     def _appoint(self, tag: int, order: Appoint) -> None:
         convened = self._convened[tag]
@@ -245,7 +246,15 @@ class RunRendezvous:
                 case HoldNow():
                     self._units.send(unit, command.CallOff(attempt.number, holds=True))
 
-    def _why_alone(self, tag: int, absent: tuple[str, ...]) -> Reason:
+    def _tell_alone(self, tag: int, order: Alone) -> None:
+        attempt = self._last.get(tag)
+        drives = attempt is None or attempt.drives
+        absent = tuple(self._titles[site] for site in order.absent)
+        self._feed(engine_news.BegunAlone(self._tags[tag], self._why_alone(tag, absent, drives), drives))
+
+    def _why_alone(self, tag: int, absent: tuple[str, ...], drives: bool) -> Reason:
+        if not drives:
+            return Reason.of("host.meets_again", tag=self._name(tag))
         if absent:
             return Reason.of("host.began_alone", tag=self._name(tag), runtimes=absent)
         return Reason.of("host.heard_too_late", tag=self._name(tag))

@@ -92,6 +92,10 @@ class Rtpu:
             self._take_commands()
         self._executive.handle(command.Stop(), self._now())
 
+    def share_processor(self) -> None:
+        """The machine grants no real time."""
+        self._executive.share_processor()
+
     def _now(self) -> int:
         return monotonic_ns() - self._zero
 
@@ -211,6 +215,8 @@ def main(words: list[str]) -> None:
     bound()
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
+    if not granted["SCHED_FIFO"]:
+        rtpu.share_processor()
     rtpu.code_watch.begin()
     heartbeat.beat()  # before it is said to be up: from then on silence counts
     post.send(encode([UnitReady(granted)]))

@@ -11,7 +11,9 @@ from onika.ring.begin_words import BeginWords
 from onika.runtime.command import Appointment
 
 LATE_NS = 5_000_000
-"""Nothing is begun later than this after its time."""
+"""Nothing is begun later than this after its time, where the machine grants real time."""
+SHARED_LATE_NS = 20_000_000
+"""Nor than this where it does not: there a unit gets its turn that late, also at each of its cycles."""
 
 NEVER = 2**63
 
@@ -39,6 +41,8 @@ class Appointments:
 
     def __init__(self, words: BeginWords) -> None:
         self.next_ns = NEVER
+        self.late_ns = LATE_NS
+        """So late at most anything is begun."""
         self._words = words
         self._kept: dict[int, _Kept] = {}
 
@@ -78,7 +82,7 @@ class Appointments:
         number = kept.order.number
         if kept.has_begun:
             return None if self._words.is_confirmed(number) else AppointmentStep.HOLD
-        is_late = now > kept.order.at_ns + LATE_NS
+        is_late = now > kept.order.at_ns + self.late_ns
         return AppointmentStep.BEGIN if self._words.is_permitted(number) and not is_late else AppointmentStep.MISS
 
     def _look_ahead(self) -> None:

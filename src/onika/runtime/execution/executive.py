@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from onika.model.signal import Signal
 from onika.ring.begin_words import BeginWords
 from onika.runtime import command, news
-from onika.runtime.execution.appointments import NEVER, Appointments, AppointmentStep
+from onika.runtime.execution.appointments import NEVER, SHARED_LATE_NS, Appointments, AppointmentStep
 from onika.runtime.execution.deferred import DeferredCommands
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.module_exchange import ModuleExchange
@@ -274,6 +274,10 @@ class Executive:
 
     # Appointments
 
+    def share_processor(self) -> None:
+        """The machine grants no real time: what is appointed may begin later than else."""
+        self._appointments.late_ns = SHARED_LATE_NS
+
     def _appoint(self, order: command.Appointment | command.CallOff, now: int) -> None:
         if isinstance(order, command.Appointment):
             self._appointments.keep(order)
@@ -287,7 +291,8 @@ class Executive:
         for step, appointment in self._appointments.due(now):
             match step:
                 case AppointmentStep.BEGIN:
-                    self._unit.tell(news.Appointed(appointment.number, now, has_begun=True))
+                    drives = self._lifecycle.drives(appointment.subsystems)
+                    self._unit.tell(news.Appointed(appointment.number, now, has_begun=True, drives=drives))
                     self._follow(command.Together(appointment.switches), now)
                 case AppointmentStep.MISS:
                     self._unit.tell(news.Appointed(appointment.number, now, has_begun=False))

@@ -106,6 +106,11 @@ class TaskLifecycle:
             if task.spawn.subsystem in subsystems and task.device is not None and task.is_on:
                 self._entry_points.fail(task, "device", ModuleError(Reason.of("runtime.began_alone")), now)
 
+    def drives(self, subsystems: Collection[str]) -> bool:
+        """Whether a task of these subsystems, ON or not, has a device or an outside partner: moves anything."""
+        tasks = (task for task in self._unit.tasks.values() if task.spawn.subsystem in subsystems)
+        return any(task.device is not None or task.partner is not None for task in tasks)
+
     def starve(self, order: command.Starve, now: int) -> None:
         """This task goes to ERROR if it is ON: elsewhere a task has failed on whose values it feeds."""
         task = self._unit.tasks.get((order.subsystem, order.task))
