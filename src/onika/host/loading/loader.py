@@ -4,7 +4,6 @@ import argparse
 import select
 import signal
 import socket
-import subprocess
 import sys
 from collections.abc import Callable
 from typing import Any
@@ -39,8 +38,8 @@ from onika.host.loading.loader_messages import (
     UnusableModule,
     WorldFaults,
 )
+from onika.host.loading.loader_start import LoaderStart, start_loader
 from onika.host.loading.module_facts import ModuleFacts
-from onika.host.units.child_process import start
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
@@ -65,35 +64,32 @@ decode_answer = msgpack.Decoder(Answer).decode
 
 
 class Loader:
-    """The runtime's end of the loader process, which is started at once and again whenever it had to be ended."""
+    """The runtime's end of the loader process, which is started at once and again whenever it had to be ended.
 
-    def __init__(self, *, stays_inside: bool = False) -> None:
-        self._arguments = ("--stays-inside",) if stays_inside else ()
+    `loader_start` is one that was started before.
+    """
+
+    def __init__(self, loader_start: LoaderStart | None = None, *, stays_inside: bool = False) -> None:
+        self._stays_inside = stays_inside
         self._worlds: dict[str, Segment] = {}
-        self._post, self._process = self._start()
+        self._current = loader_start or start_loader(stays_inside=stays_inside)
 
     def close(self) -> None:
         """End the process."""
-        self._post.close()
-        self._process.kill()
-        self._process.wait()
-
-    def _start(self) -> tuple[ProcessSocket, "subprocess.Popen[bytes]"]:
-        ours, theirs = ProcessSocket.pair()
-        return ours, start("onika.host.loading.loader", theirs, self._arguments, own_group=True)
+        self._current.end()
 
     def _tell(self, world: str) -> None:
-        self._post.send(encode(TakeWorld(world)), (self._worlds[world].fd,))
+        self._current.post.send(encode(TakeWorld(world)), (self._worlds[world].fd,))
 
     @property
     def post(self) -> ProcessSocket:
         """To wait for in `select`."""
-        return self._post
+        return self._current.post
 
     @property
     def is_lost(self) -> bool:
         """Whether the process has died of a question."""
-        return self._post.is_closed
+        return self._current.post.is_closed
 
     def offer(self, files: WorldSource) -> None:
         """From now on this world is made of these files."""
@@ -102,12 +98,12 @@ class Loader:
 
     def send(self, question: Question) -> None:
         """Ask; the answer comes in its time."""
-        self._post.send(encode(question))
+        self._current.post.send(encode(question))
 
     def take(self) -> Answer | None:
         """The answer, if it is there."""
-        self._post.flush()
-        received = self._post.receive()
+        self._current.post.flush()
+        received = self._current.post.receive()
         return None if received is None else decode_answer(received[0])
 
     def give_up(self, code: Code) -> UnusableModule:
@@ -115,7 +111,7 @@ class Loader:
         silent = Reason.of("host.loader_silent", seconds=PATIENCE_S)
         reason = Reason.of("host.loader_died") if self.is_lost else silent
         self.close()
-        self._post, self._process = self._start()
+        self._current = start_loader(stays_inside=self._stays_inside)
         for world in self._worlds:
             self._tell(world)
         instead = Reason.of("host.module_not_used", module=code.module)

@@ -1,0 +1,27 @@
+"""The start of the loader process: little has to be loaded for it, so that the loader comes up beside its runtime."""
+
+import subprocess
+from typing import NamedTuple
+
+from onika.host.units.child_process import start
+from onika.host.units.process_socket import ProcessSocket
+
+
+class LoaderStart(NamedTuple):
+    """A loader process that was started: the runtime's end of its socket, and the process."""
+
+    post: ProcessSocket
+    process: "subprocess.Popen[bytes]"
+
+    def end(self) -> None:
+        """End the process."""
+        self.post.close()
+        self.process.kill()
+        self.process.wait()
+
+
+def start_loader(*, stays_inside: bool = False) -> LoaderStart:
+    """Start one; with `stays_inside` what it executes reaches nothing outside. Raises OSError."""
+    ours, theirs = ProcessSocket.pair()
+    arguments = ("--stays-inside",) if stays_inside else ()
+    return LoaderStart(ours, start("onika.host.loading.loader", theirs, arguments, own_group=True))
