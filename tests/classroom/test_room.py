@@ -151,6 +151,34 @@ def test_a_seat_hands_in_nothing_but_its_own(room, tmp_path, folder):  # R-X25
     assert room.roster.at(1).handed_in == 0
 
 
-def test_all_that_the_teacher_collects_is_asked_of_each_seat(room):
-    asyncio.run(room.collect((1, 2, 3)))
+def test_all_that_the_teacher_collects_is_asked_of_each_seat_and_nobody_waits_for_one_that_begins(room):  # R-X25
+    async def collect():
+        begun = asyncio.Event()
+
+        async def slowly():
+            await begun.wait()
+            return True
+
+        room.seat(1).ready = slowly
+        room.collect((1, 2, 3))
+        assert (await room.admitted(2))[0] == 9000
+        assert messages.Collect() not in room.seat(1).sent
+        begun.set()
+        await asyncio.gather(*room._work)
+
+    asyncio.run(collect())
     assert [messages.Collect() in room.seat(number).sent for number in (1, 2)] == [True, True]
+
+
+def test_a_seat_that_cannot_begin_is_told_and_the_others_are_collected(room):
+    async def collect():
+        async def never():
+            raise OSError("no port")
+
+        room.seat(1).ready = never
+        room.collect((1, 2))
+        await asyncio.gather(*room._work)
+
+    asyncio.run(collect())
+    assert str(room.trouble) == "no port"
+    assert messages.Collect() in room.seat(2).sent

@@ -4,7 +4,7 @@ import socket
 import pytest
 
 from kit.desk.app_fixture import AppFixture
-from onika.classroom import messages
+from onika.classroom import messages, seat_door
 from onika.classroom.seat_door import SeatDoor
 from onika.classroom.seat_entrance import SeatEntrance
 from onika.classroom.seat_rights import SeatRights
@@ -96,6 +96,33 @@ def test_hand_ins_follow_each_other_slowly(tmp_path):  # R-X25
     async def tell(seat):
         assert not await seat.door._put_together()
         assert (await seat.door._put_together()).key == "class.hand_in_soon"
+
+    played(tmp_path, tell)
+
+
+def test_who_is_let_in_does_not_wait_for_what_is_collected(tmp_path):  # R-X25
+    async def tell(seat):
+        async with seat.door._handing:  # it takes long
+            seat.order(messages.Collect())
+            seat.order(messages.Collect())
+            seat.order(messages.Admit("key", is_teacher=True))
+            while not (cookie := seat.entrance.enter("key")):
+                await asyncio.sleep(0)
+            assert seat.entrance.visitor({seat.entrance.cookie_name: cookie}) is not None
+        assert (await seat.hear(messages.HandedIn)).folder == "handed-in/0001"
+
+    played(tmp_path, tell)
+    assert [path.name for path in (tmp_path / "handed-in").iterdir()] == ["0001"]
+
+
+def test_a_collection_comes_after_the_pause_that_a_hand_in_makes(tmp_path, monkeypatch):  # R-X25
+    monkeypatch.setattr(seat_door, "_PAUSE_S", 0.2)
+
+    async def tell(seat):
+        assert not await seat.door._put_together()
+        seat.order(messages.Collect())
+        folders = [(await seat.hear(messages.HandedIn)).folder for _ in range(2)]
+        assert folders == ["handed-in/0001", "handed-in/0002"]
 
     played(tmp_path, tell)
 

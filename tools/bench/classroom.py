@@ -1,7 +1,8 @@
 """What a class costs on this machine: memory, processor, and how long an act takes to be answered at the last seat.
 
 Usage: python tools/bench/classroom.py [SEATS] [SECONDS]. So many learners come one after the other, each with a page
-that is open; then nobody does anything for a while; then each runs a program, all at a time; then one seat is flooded.
+that is open; then nobody does anything for a while; then each runs a program, all at a time, and again nobody does
+anything, first for a moment, then until all seats repose; then one seat is flooded.
 """
 
 import json
@@ -18,6 +19,7 @@ from growth import family, used
 from websockets.sync.client import ClientConnection
 
 from kit.process.class_process import ClassProcess, done, until
+from onika.web.repose import UNTOUCHED_S
 
 
 def answered_ms(socket: ClientConnection, times: int = 9) -> str:
@@ -64,6 +66,9 @@ def main(seats: int, seconds: float) -> None:
         school.teacher.until(lambda rows: all(rows[name]["run"] == "completed" for name in names))
         print(f"all have run it to its end after {time.perf_counter() - began:.1f} s", flush=True)
         print(f"idle, with a runtime each: {cost(school.pid, seconds)}", flush=True)
+        time.sleep(UNTOUCHED_S + 5.0)
+        print(f"in repose, pages open: {cost(school.pid, 3 * seconds)}", flush=True)
+        print(f"the first act after it: {answered_ms(sockets[-1], 1)}", flush=True)
         flood = json.dumps({"cid": 1, "act": {"t": "Undo", "doc": docs[0]}})
         for _ in range(5000):
             sockets[0].send(flood)

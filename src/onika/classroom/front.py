@@ -194,7 +194,7 @@ class ClassFront:
             case "tell":
                 self._room.tell(wish.seats, wish.text)
             case "collect":
-                await self._room.collect(wish.seats)
+                self._room.collect(wish.seats)
             case "return":
                 for seat in wish.seats:
                     self._room.let_return(seat)

@@ -3,7 +3,7 @@
 import asyncio
 import secrets
 import shutil
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Coroutine, Sequence
 from pathlib import Path
 from typing import Protocol
 
@@ -128,12 +128,12 @@ class ClassRoom:
         """Let somebody in under this name who does not have its cookie."""
         self._change((number,), lambda learner: replace(learner, may_return=True))
 
-    async def collect(self, numbers: Sequence[int]) -> None:
-        """Have what there is handed in, also of seats that are not there now."""
+    def collect(self, numbers: Sequence[int]) -> None:
+        """Have what there is handed in, also of seats that are not there now; nobody waits until they are."""
         for number in numbers:
             seat = self.seat(number)
-            if seat is not None and await seat.ready():
-                seat.send(messages.Collect())
+            if seat is not None:
+                self._aside(self._collect(seat))
 
     async def restart(self, number: int) -> None:
         """End a seat; whoever comes to it starts it anew."""
@@ -195,9 +195,19 @@ class ClassRoom:
 
     def _hear(self, number: int, news: messages.News) -> None:
         if isinstance(news, messages.HandedIn) and news.folder:
-            task = asyncio.create_task(self._take_over(number, news.folder))
-            self._work.add(task)
-            task.add_done_callback(self._work.discard)
+            self._aside(self._take_over(number, news.folder))
+
+    def _aside(self, work: Coroutine[None, None, None]) -> None:
+        task = asyncio.create_task(work)
+        self._work.add(task)
+        task.add_done_callback(self._work.discard)
+
+    async def _collect(self, seat: AttendedSeat) -> None:
+        try:
+            if await seat.ready():
+                seat.send(messages.Collect())
+        except OSError as wrong:
+            self.trouble = reason_of(wrong)
 
     async def _take_over(self, number: int, folder: str) -> None:
         """Take a hand-in over, and grade it where it is still the newest when its turn comes."""

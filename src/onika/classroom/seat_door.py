@@ -72,6 +72,7 @@ class SeatDoor:
         self._progress = SeatProgress(lambda: environment.model, monotonic)
         self._handing = asyncio.Lock()
         self._next_s = 0.0
+        self._collecting: asyncio.Task[Reason] | None = None
         hub.limits.append(self._limited)
         environment.observers.append(self._progress.begun)
         environment.followers.append(self._progress.changed)
@@ -89,9 +90,11 @@ class SeatDoor:
                 order = messages.order(line)
                 if isinstance(order, messages.LeaveClass):
                     return
-                await self._carry_out(order)
+                self._carry_out(order)
         finally:
             telling.cancel()
+            if self._collecting is not None:
+                await asyncio.wait((self._collecting,))  # what the class was promised is put together to its end
 
     def close(self) -> None:
         """Let in nobody any more."""
@@ -100,7 +103,7 @@ class SeatDoor:
 
     # Inner
 
-    async def _carry_out(self, order: messages.SeatOrder) -> None:
+    def _carry_out(self, order: messages.SeatOrder) -> None:
         match order:
             case messages.Admit(key=key, is_teacher=is_teacher):
                 self.entrance.admit(key, is_teacher=is_teacher)
@@ -110,7 +113,13 @@ class SeatDoor:
             case messages.ShowSeat(seat=seat):
                 self._show(seat)
             case messages.Collect():
-                await self._put_together()
+                if self._collecting is None or self._collecting.done():  # beside: who is let in meanwhile does not wait
+                    self._collecting = asyncio.create_task(self._collect())
+
+    async def _collect(self) -> Reason:
+        """As the class wishes: a hand-in just before delays it, and is not taken for it."""
+        await asyncio.sleep(max(0.0, self._next_s - monotonic()))
+        return await self._put_together()
 
     def _show(self, seat: ClassSeatView) -> None:
         self._rights.state = seat.state

@@ -80,6 +80,7 @@ def keep_seat(settings: SeatSettings, listening: socket.socket, channel: socket.
         with_fifo=False,
         foresees=False,  # each forecast would be one more runtime
         is_upper_only=settings.is_upper_only,
+        may_repose=True,
     )
     program = EnvironmentProgram(site, options, state_directory(os.environ))
     entrance = SeatEntrance(settings.names, listening.getsockname()[1], settings.learner, is_secure=context is not None)

@@ -4,7 +4,7 @@ import asyncio
 import os
 import socket
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -44,6 +44,7 @@ from onika.web.app import PLAYER, application
 from onika.web.guarded_door import GuardedDoor
 from onika.web.hub import Hub
 from onika.web.page_door import KeyDoor, PageDoor
+from onika.web.repose import Repose
 from onika.web.server import serve
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
@@ -90,6 +91,8 @@ class EnvironmentOptions:
     foresees: bool = True
     """Whether what open applications would come to is foreseen while they are edited (E16)."""
     is_upper_only: bool = False
+    may_repose: bool = False
+    """Whether it costs next to nothing, and its simulator rests, while nobody does anything and nothing runs (X25)."""
     presentation: str = ""
     """How icons are presented in this session; empty: as each browser likes (H04)."""
 
@@ -102,6 +105,7 @@ class EnvironmentProgram:
         self._site = replace(site, directories=self._path, fetcher=None)  # nobody waits for servers but its own thread
         self._options = options
         self._state = state
+        self._pause: Callable[[float], Awaitable[None]] = asyncio.sleep
 
     async def run(
         self,
@@ -153,6 +157,10 @@ class EnvironmentProgram:
         hub.remember(says)
         door = (opens or _opening(listening, on_ready, place))(environment, hub)
         environment.followers.append(PuzzleLedger(self._state, environment.say).follow)
+        repose = Repose(stations, time.monotonic)
+        environment.observers.append(repose.begun)
+        environment.followers.append(repose.changed)
+        self._pause = repose.pause
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
         diary = self._diary(environment)
@@ -164,6 +172,7 @@ class EnvironmentProgram:
             self._judge(environment),
             self._foresee(environment, forecaster),
             door.keep(),
+            *((repose.keep(lambda: environment.model),) if self._options.may_repose else ()),
         )
         try:
             app = application(door.entrance, hub, meshes=MeshFolder(self._state), ways=door.ways)
@@ -253,13 +262,13 @@ class EnvironmentProgram:
     async def _show(self, hub: Hub) -> None:
         """The newest values, to those who watch."""
         while True:
-            await asyncio.sleep(_FRAME_S if hub.is_watching else 0.1)
+            await self._pause(_FRAME_S if hub.is_watching else 0.1)
             hub.pump()
 
     async def _look(self, environment: Environment, disk: DiskWatch, diary: Diary | None) -> None:
         """Files that others change."""
         while True:
-            await asyncio.sleep(_LOOK_S)
+            await self._pause(_LOOK_S)
             changed = await asyncio.to_thread(disk.changed, environment.model)
             if changed:
                 if diary is not None:
@@ -270,7 +279,7 @@ class EnvironmentProgram:
         """Whether what is open could be run, soon after it was changed."""
         judge, stale_at = ReadinessJudge(self._site), 0.0
         while True:
-            await asyncio.sleep(_JUDGE_S)
+            await self._pause(_JUDGE_S)
             cases = judge.cases(environment.model)
             if not cases and time.monotonic() >= stale_at and environment.model.applications:
                 stale_at = time.monotonic() + _STALE_S
@@ -282,7 +291,7 @@ class EnvironmentProgram:
     async def _foresee(self, environment: Environment, forecaster: Forecaster | None) -> None:
         """What applications would come to, soon after they were changed."""
         while True:
-            await asyncio.sleep(_JUDGE_S)
+            await self._pause(_JUDGE_S)
             if forecaster is not None:
                 forecaster.look(environment.model, time.monotonic())
 
@@ -297,7 +306,7 @@ class EnvironmentProgram:
             if why and not is_reported:
                 is_reported = True
                 environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=why)))
-            await asyncio.sleep(_KEEP_S)
+            await self._pause(_KEEP_S)
 
 
 async def _finished(carry_out: Callable[[Sequence[UnsavedChange]], Reason], changes: Sequence[UnsavedChange]) -> Reason:

@@ -211,3 +211,19 @@ def test_a_runtime_elsewhere_hears_nothing_while_the_environment_does_not_turn(l
         assert time.monotonic() < end, "the thread spoke on for an environment that does not turn"
     count = len(served)
     lab.until(lambda: len(served) > count)
+
+
+def test_a_runtime_rests_when_that_is_wished_and_hears_the_next_order(lab):  # R-X25
+    doc = lab.new("a")
+    lab.do(act.Connect(doc))
+    line = lab.lines[0]
+    naps = []
+    line.rest = lambda: naps.append("rest") or True
+    line.wake = lambda: naps.append("wake")
+    lab.station.rest()
+    lab.until(lambda: naps == ["rest"])
+    lab.do(act.Stop())
+    assert line.runtime.is_stopped
+    assert naps[:2] == ["rest", "wake"]
+    lab.station.wake()
+    lab.until(lambda: not lab.station._rest.is_wished)

@@ -1,6 +1,7 @@
 import os
 import signal
 import sys
+import time
 
 import pytest
 
@@ -11,6 +12,7 @@ from onika.desk.run import launched_runtime as room
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
+from onika.process.guard import is_stopped
 from onika.wire import event, live, request
 from onika.words.reason import Reason
 
@@ -25,6 +27,13 @@ def puppet(monkeypatch):
         monkeypatch.setattr(room, "launch", lambda words, **how: launch(words, (sys.executable, "-c", code), **how))
 
     return use
+
+
+def until(holds):
+    """The system sends a signal, and does not say when it has come."""
+    end = time.monotonic() + 30
+    while not holds():
+        assert time.monotonic() < end
 
 
 def events_of(runtime):
@@ -52,6 +61,33 @@ def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, re
     assert "ding" in runtime.printed()
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)
+
+
+def test_a_simulator_that_rests_uses_no_processor_and_goes_on_where_it_was(monkeypatch):  # R-X25
+    wall = [0]
+    monkeypatch.setattr(room, "monotonic_ns", lambda: time.monotonic_ns() + wall[0])
+    with LaunchedRuntime(("rt0",), is_virtual=True, options=("--scale", "1")) as runtime:
+        assert runtime.rest()
+        wall[0] += 3600 * 1_000_000_000
+        until(lambda: is_stopped(runtime.pid))
+        runtime.wake()
+        assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
+        assert runtime.is_heard
+
+
+def test_a_runtime_that_is_left_while_it_rests_is_ended():  # R-A15, R-X25
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
+        pid = runtime.pid
+        assert runtime.rest()
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+def test_the_runtime_of_a_robot_never_rests(puppet):  # law 27
+    puppet("import time; time.sleep(60)")
+    runtime = LaunchedRuntime(("rt0",), is_virtual=False)
+    assert not runtime.rest()
+    runtime._child.close()
 
 
 def test_names_and_kind_of_time_are_passed_on(puppet):

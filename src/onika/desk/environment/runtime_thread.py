@@ -15,6 +15,7 @@ from onika.desk.environment.outcome.outcome import Done, Order, RequiredRuntime,
 from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
+from onika.desk.environment.reconcile.runtime_rest import RuntimeRest
 from onika.desk.environment.reconcile.watches import Watch
 from onika.desk.environment.state.model import Model
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -58,6 +59,7 @@ class RuntimeThread:
         self._door.setblocking(False)
         self._is_over = False
         self._is_let_go = False
+        self._rest = RuntimeRest()
         self._thread: Thread | None = None
         self._entered: AbstractContextManager[RuntimeConversation] | None = None
         self._runtime: RuntimeConversation | None = None
@@ -92,6 +94,17 @@ class RuntimeThread:
         """What somebody wants to see from now on, variables as `DOC/NAME`."""
         self._watching = Watch(variables, worlds, figures, hz)
         self._ring()
+
+    def rest(self) -> None:
+        """Let a simulator that was launched here rest until somebody has to do with it: nothing happens in it."""
+        self._rest.is_wished = True
+        self._ring()
+
+    def wake(self) -> None:
+        """Somebody may have to do with it."""
+        if self._rest.is_wished:
+            self._rest.is_wished = False
+            self._ring()
 
     def frame(self) -> page.Frame | None:
         """What is new since the last call; late values were dropped."""
@@ -139,8 +152,10 @@ class RuntimeThread:
                 self._wait()
                 if self._is_alone:
                     continue
+                self._rest.end(self._entered)
                 self._send_out()
                 self._listen()
+                self._rest.lie_down(self._entered, self._is_busy)
         finally:
             self._leave()
             if self._is_let_go:
@@ -157,11 +172,17 @@ class RuntimeThread:
         """Whether this thread is there and the environment is not: to a runtime elsewhere both are silent then."""
         return bool(self._url) and self._vouch.is_missing
 
+    @property
+    def _is_busy(self) -> bool:
+        """Whether something is to be asked, or was asked and is not answered."""
+        return bool(self._orders) or self._multiplexer is None or self._multiplexer.is_owed
+
     def _wait(self) -> None:
         readers: list[int] = [self._door.fileno()]
         writers: list[int] = []
         wait_s = None
-        if self._runtime is not None and self._multiplexer is not None and not self._is_alone:
+        is_watched = not self._is_alone and not self._rest.goes_on
+        if self._runtime is not None and self._multiplexer is not None and is_watched:
             readers += self._runtime.readers()
             writers = self._runtime.writers()
             times = [self._runtime.due_s(), self._multiplexer.poll_figures(self._watching.figures)]
@@ -270,6 +291,7 @@ class RuntimeThread:
 
     def _leave(self) -> None:
         """Let the runtime go; one that was launched here ends."""
+        self._rest.end(self._entered)
         entered, self._entered = self._entered, None
         self._runtime = self._multiplexer = None
         self._url = ""

@@ -73,6 +73,14 @@ class Stations:
             )
         return together
 
+    def rest(self) -> None:
+        """Nobody has to do with the first runtime now: where it is a simulator that was launched here, it may rest."""
+        self._threads[""].rest()
+
+    def wake(self) -> None:
+        """Somebody has come, or does something."""
+        self._threads[""].wake()
+
     @property
     def pid(self) -> int | None:
         """The process id of a runtime that was launched here; None: there is none."""

@@ -1,7 +1,9 @@
 """A runtime that is launched as a child process, and ends with who launched it."""
 
 import os
+import signal
 from collections.abc import Sequence
+from contextlib import suppress
 from time import monotonic_ns, sleep
 from types import TracebackType
 
@@ -10,6 +12,7 @@ from onika.link.connection import Connection
 from onika.link.launcher import RuntimeProcess, launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
+from onika.process.standing_clock import StandingClock
 from onika.record.black_box_folder import black_box_folder, black_box_of, is_being_written
 from onika.ring.last_words import LastWords
 from onika.wire import request
@@ -48,7 +51,9 @@ class LaunchedRuntime(RuntimeConversation):
         """Whether there is one that outlives a runtime."""
         self._black_box: str | None = None
         self._child: RuntimeProcess = launch([*words, *options], has_modules=is_virtual)
-        super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
+        self._may_rest = is_virtual
+        self._clock = StandingClock(monotonic_ns)
+        super().__init__(Connection(self._child.carrier, self._clock, CHILD))
         self._stop_patience_s = _STOP_PATIENCE_S
 
     def ask(self, message: request.Request) -> request.Response:
@@ -82,6 +87,24 @@ class LaunchedRuntime(RuntimeConversation):
     def pid(self) -> int | None:
         """The process id of the runtime program."""
         return self._child.pid
+
+    def rest(self) -> bool:
+        """Have the system hold a simulator in which nothing happens: it costs nothing, and keeps all that it has.
+
+        Whether it rests. A robot's runtime never does: its heartbeats would stop.
+        """
+        if self._may_rest and self._child.alive():
+            os.kill(self._child.pid, signal.SIGSTOP)
+            self._clock.stand()
+            return True
+        return False
+
+    def wake(self) -> None:
+        """It goes on where it was: its time has stood, and neither end takes the rest for silence."""
+        self._clock.go_on(CHILD.beat_ns)
+        self._news += self._connection.poll()  # a heartbeat lies there for it when it wakes
+        with suppress(ProcessLookupError):
+            os.kill(self._child.pid, signal.SIGCONT)
 
     def end_at_once(self) -> None:
         """Kill it, from any thread: whoever waits for it finds that it is gone."""

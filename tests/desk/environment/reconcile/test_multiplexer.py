@@ -91,3 +91,14 @@ def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(multiplex
         multiplexer.hear()
     assert multiplexer.orphans(Reason.plain("it is gone")) == [(order, request.Refused(Reason.plain("it is gone")))]
     assert multiplexer.orphans(Reason.plain("it is gone")) == []
+
+
+def test_it_is_owed_something_until_all_that_was_asked_is_answered(multiplexer, wire):
+    assert not multiplexer.is_owed
+    multiplexer.ask(Order(live.Survey()))
+    assert multiplexer.is_owed
+    wire.words = [NumberedResponse(1, request.Done())]
+    multiplexer.hear()
+    assert not multiplexer.is_owed
+    multiplexer.poll_figures(is_wanted=True)
+    assert multiplexer.is_owed

@@ -53,6 +53,11 @@ class Multiplexer:
         self.round_trip_s: float | None = None
         """How long the last question took that is answered at once; None: none was answered yet."""
 
+    @property
+    def is_owed(self) -> bool:
+        """Whether anything that was asked is not answered yet."""
+        return bool(self._waiting) or self._figures_asked is not None
+
     def ask(self, order: Order) -> None:
         """Send an order out."""
         self._waiting[self._runtime.send(order.asked)] = order
