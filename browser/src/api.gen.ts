@@ -1264,6 +1264,7 @@ export interface FaultView {
   step?: number;
   remedies?: (Remedy)[];
   is_of_runtime?: boolean;
+  follows?: (Reason)[];
   instant?: number;
 }
 

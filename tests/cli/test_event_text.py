@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from onika.cli.event_text import SummaryTone, item_text, lines as event_lines, sentence, summary
@@ -76,8 +78,9 @@ def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
     fault = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
-    lines = english(Outcome("go", [fault, fault], [Reason.plain("by the way")]), NOTHING)
-    assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
+    other = replace(fault, place=Place("b.rmod"))
+    lines = english(Outcome("go", [fault, other], [Reason.plain("by the way")]), NOTHING)
+    assert lines == [str(fault), str(other), "note: by the way", "go: refused, nothing moved (2 faults)"]
     assert english(Outcome("go", [fault]), NOTHING)[-1] == "go: refused, nothing moved (1 fault)"
 
 

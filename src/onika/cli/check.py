@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from onika.cli.language import say
+from onika.cli.lines.fault_lines import fault_lines
 from onika.cli.search_path import directory, site_here
 from onika.desk.run.survey import survey
 from onika.words.reason import Reason
@@ -17,6 +18,7 @@ def purpose() -> Reason:
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help=say(Reason.of("cli.check_paths")))
+    parser.add_argument("--all", action="store_true", help=say(Reason.of("cli.check_all")))
     parser.add_argument(
         "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
@@ -30,8 +32,8 @@ def carry_out(given: argparse.Namespace) -> int:
         read, new_faults = survey(path, site_here(given.local), notes.append)
         files += len(read)
         faults += [fault for fault in new_faults if fault not in faults]
-    for fault in faults:
-        print(say(fault.sentence))
+    for line in fault_lines(faults, is_whole=given.all):
+        print(say(line))
     for text in dict.fromkeys(notes):
         print(say(Reason.of("cli.note", text=text)))
     count = str(len(faults)) if faults else Reason.of("cli.none")

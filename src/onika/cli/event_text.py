@@ -5,6 +5,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from onika.cli.language import say
+from onika.cli.lines.fault_lines import fault_lines
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.item_text import bounds, default
 from onika.desk.run.outcome import Outcome
@@ -135,8 +136,7 @@ def item_text(item: event.Item) -> Reason:
 
 def summary(outcome: Outcome, drawn: Reason) -> Iterator[SummaryLine]:
     """The lines at the end."""
-    for fault in outcome.faults:
-        yield SummaryLine(fault.sentence)
+    yield from map(SummaryLine, fault_lines(outcome.faults))
     for note in outcome.notes:
         yield SummaryLine(Reason.of("cli.note", text=note))
     if outcome.result is None:

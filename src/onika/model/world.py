@@ -77,6 +77,11 @@ class SwitchBlock:
     pressed: tuple[str, float] | None = None
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
+    @property
+    def elements(self) -> tuple[str, ...]:
+        """The sites and sensors that it names."""
+        return (*(self.near[:2] if self.near else ()), *(self.pressed[:1] if self.pressed else ()))
+
 
 @dataclass(frozen=True, slots=True)
 class LampBlock:

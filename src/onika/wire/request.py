@@ -1,5 +1,7 @@
 """What the environment asks of a runtime, and the replies: every request gets exactly one."""
 
+from typing import Self
+
 import msgspec
 from msgspec import Struct
 
@@ -12,6 +14,7 @@ from onika.wire.rendezvous_link import MeetingTerms, RendezvousRequest, Rendezvo
 from onika.wire.samples import Sample, Sampled
 from onika.wire.steer import Positions, SteerRequest
 from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault, Place
 from onika.words.reason import NOTHING, Reason
 
 
@@ -25,6 +28,22 @@ class FaultText(Struct, frozen=True):
     where: Reason = NOTHING
     """The flow and the action that it concerns, in words."""
     remedies: tuple[Reason, ...] = ()
+    because: tuple[tuple[str, int], ...] = ()
+    """The files and lines of the faults of which it is a consequence."""
+
+    @classmethod
+    def of(cls, fault: Fault) -> Self:
+        """A fault as it travels."""
+        because = tuple((place.file, place.line) for place in fault.because)
+        at = fault.place
+        return cls(at.file, at.line, fault.reason, fault.instead, fault.where, fault.remedies, because)
+
+    @property
+    def fault(self) -> Fault:
+        """The fault that has come."""
+        because = tuple(Place(file, line) for file, line in self.because)
+        place = Place(self.file, self.line)
+        return Fault(place, self.reason, self.instead, where=self.where, remedies=self.remedies, because=because)
 
 
 class Prepare(Struct, frozen=True, tag=True):

@@ -40,6 +40,8 @@ class Fault:
     """The flow and the action of a run that it concerns, in words, where its place does not say so."""
     remedies: tuple[Reason, ...] = field(default=(), compare=False)
     """What could be done or taken instead, likeliest first."""
+    because: tuple[Place, ...] = field(default=(), compare=False)
+    """Where the faults stand of which this one is a consequence, if they are there; empty: it is a cause by itself."""
 
     @property
     def sentence(self) -> Reason:

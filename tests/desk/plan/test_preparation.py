@@ -1,7 +1,7 @@
 import pytest
 
 from kit.labs.laboratory import HOLE, Laboratory, job, joints
-from onika.desk.plan.preparation import fault_of, prepare, prepare_run
+from onika.desk.plan.preparation import prepare, prepare_run
 from onika.store.site import open_site
 from onika.wire.request import FaultText
 from onika.words.fault import Place
@@ -139,4 +139,4 @@ def test_a_fault_that_a_runtime_tells_is_one_like_any_other():
     text = FaultText(
         "play.appl", 7, Reason.plain("expected a target within reach, found none"), Reason.plain("nothing is run")
     )
-    assert str(fault_of(text)) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"
+    assert str(text.fault) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"

@@ -98,6 +98,38 @@ def test_where_a_device_is_nowhere_it_is_a_fault_beside_that():  # R-X19
     assert WRONG.sentence not in preparation.notes
 
 
+def left_out(file, key, **args):
+    return Fault(Place(file, 3), Reason.plain("no such joint"), Reason.of(key, **args))
+
+
+class Wrong(Loading):
+    """Its world has these faults."""
+
+    def __init__(self, *faults):
+        super().__init__()
+        self.faults = faults
+
+    def world_faults(self, world):
+        return self.faults
+
+
+@pytest.mark.parametrize(
+    ("fault", "is_cause"),
+    [
+        (left_out("arm.xml", "workcell.robot_left_out", name="arm"), True),
+        (left_out("arm.robot", "workcell.device_left_out", name="arm"), True),
+        (left_out("yard.world", "workcell.place_left_out"), True),
+        (left_out("yard.world", "workcell.device_left_out", name="m7"), True),
+        (left_out("yard.world", "workcell.device_left_out", name="lamp"), False),
+        (left_out("yard.world", "workcell.part_left_out", part="cube"), False),
+    ],
+)
+def test_a_device_is_nowhere_because_of_what_its_world_leaves_out_for_it(fault, is_cause):  # R-B07, R-X19
+    absent = next(each for each in prepare(plan_with("yard:m7"), (), Wrong(fault)).faults if each != fault)
+    assert absent.reason.key == "host.no_such_device"
+    assert absent.because == ((fault.place,) if is_cause else ())
+
+
 @pytest.mark.parametrize("code", ["class Bad(:\n", None])
 def test_who_looks_at_files_alone_is_told_of_all_that_is_wrong(code):  # R-X19
     shop = PlanBuilder()

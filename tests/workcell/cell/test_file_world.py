@@ -6,6 +6,7 @@ import pytest
 from kit.worlds.file_cells import CELL, changed, files_of
 from onika.ring.device import DeviceOrder, DriveState
 from onika.runtime.bus import World
+from onika.words.cause import by_cause
 from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.filmed.filmed_world import judged
 
@@ -106,7 +107,12 @@ def test_a_world_broken_at_any_line_says_so_or_is_a_world(name):  # R-B07, R-X19
 def test_a_world_without_fault_says_nothing():
     assert judged(files_of()) == ()
     faults = judged(changed("world/cube.xml", "<body", "<bodi"))
-    assert [str(fault.place) for fault in faults] == [f"/lab/world/cell.world:{line}" for line in (8, 18, 20)]
+    assert [str(fault.place) for fault in faults] == [
+        "/lab/world/cube.xml:1",
+        "/lab/world/cell.world:18",
+        "/lab/world/cell.world:20",
+    ]
+    assert [len(cause.consequences) for cause in by_cause(faults)] == [2]
     assert str(faults[0].instead) == "the part cube is left out"
 
 

@@ -47,10 +47,33 @@ def test_a_description_without_actuators_gets_a_motor_at_each_joint():  # R-X19
         ('name="tip" pos="0 0 -0.1"', 'name="tip" pos="0 0 1e300"', "workcell.place_no_number"),
     ],
 )
-def test_a_model_that_cannot_be_compiled_leaves_its_robot_out(old, new, why):  # R-B07, R-X19
+def test_a_model_that_cannot_be_compiled_leaves_its_robot_out_and_its_line_is_told(old, new, why):  # R-B07, R-X19
     robot, (fault,) = facts_of(changed("robot/elbow.xml", old, new))
     assert robot is None
-    assert (fault.reason.key, fault.place.line) == (why, 2)
+    assert (fault.reason.key, str(fault.instead)) == (why, "the robot elbow is left out")
+    assert fault.place.file.endswith("elbow.xml")
+    if new:
+        assert (
+            new
+            in changed("robot/elbow.xml", old, new)
+            .find("robot/elbow.xml")
+            .content.decode()
+            .split("\n")[fault.place.line - 1]
+        )
+
+
+def test_a_model_of_which_no_line_is_known_is_told_where_it_is_named():  # R-B07, R-X19
+    robot, (fault,) = facts_of(files_of({**CELL, "robot/elbow.xml": "<body/>"}))
+    assert robot is None
+    assert (fault.place.file.endswith("elbow.robot"), fault.place.line) == (True, 2)
+
+
+def test_what_is_wrong_with_a_link_is_told_in_the_file_of_the_link():  # R-B07, R-X19
+    link = '<mujoco><worldbody><body name="link">\n<joint name="turn" range="1 -1"/></body></worldbody></mujoco>'
+    text = "VERSION 2.0\nFILE elbow.xml\nLINKS link.xml\nON tip\nARM arm\nTOOL tip\nEOF\n"
+    _, (fault,) = facts_of(files_of({**CELL, "robot/elbow.robot": text, "robot/link.xml": link}))
+    assert (fault.reason.key, fault.place.line) == ("workcell.limit_reversed", 2)
+    assert fault.place.file.endswith("link.xml")
 
 
 def test_a_hand_is_attached_at_its_site():  # R-X19
@@ -83,7 +106,7 @@ def test_links_are_attached_to_each_other_and_joints_keep_their_names():  # R-K0
     assert arm.joints == ("1.turn", "2.turn")
     assert arm.constants["TOOL"][3::4][:3] == pytest.approx((0.0, 0.0, 0.7))
     robot, (fault,) = facts_of(files_of({**files, "robot/foot.xml": foot.replace("tip", "end")}))
-    assert (robot, fault.reason.key, fault.place.line) == (None, "workcell.no_such_name", 2)
+    assert (robot, fault.reason.key, fault.place.line) == (None, "workcell.no_such_name", 4)
 
 
 def test_a_robot_is_not_held_by_a_hand_of_the_simulator():  # R-X19

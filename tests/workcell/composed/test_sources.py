@@ -22,7 +22,7 @@ def test_a_model_reads_nothing_of_this_machine(tmp_path):  # R-X24
     (tmp_path / "secret.xml").write_text("<mujoco/>")
     include = f'<include file="{tmp_path}/secret.xml"/>'
     texts = SourceTexts(files_of({**CELL, "robot/elbow.xml": f"<mujoco>{include}</mujoco>"}))
-    with pytest.raises(ValueError, match="need only files that are there"):
+    with pytest.raises(ValueError, match="needs only files that are there"):
         texts.model("robot/elbow.xml")
 
 

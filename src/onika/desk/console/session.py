@@ -7,7 +7,6 @@ from typing import Protocol
 from onika.desk.console import event_lines
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.plan.flow_index import FlowIndex
-from onika.desk.plan.preparation import fault_of
 from onika.desk.run import text_table
 from onika.desk.run.text_table import Cell
 from onika.store.site import Site
@@ -145,7 +144,7 @@ class ConsoleSession:
             case request.Prepared():
                 for note in answer.notes:
                     self.say(Reason.of("console.note", text=note), Tone.NOTE)
-                return tuple(map(fault_of, answer.faults))
+                return tuple(text.fault for text in answer.faults)
             case live.Accepted():
                 faults = self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)
                 return self._with_ways(message, faults)

@@ -17,7 +17,7 @@ from onika.store.program import ApplicationProgram, gather, home_of, joined, loa
 from onika.store.site import Site
 from onika.store.world_source import gather_world
 from onika.wire.plan import Plan
-from onika.wire.request import FaultText, TargetValues
+from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place, parted
 from onika.words.reason import Reason
 
@@ -80,12 +80,6 @@ def prepare(
         nested = {name: without_breakpoints(application) for name, application in program.applications.items()}
         program = replace(program, application=without_breakpoints(application), applications=nested)
     return _judged(program, syntax, place, home, (), redirects)
-
-
-def fault_of(text: FaultText) -> Fault:
-    """A fault that a runtime has found."""
-    place = Place(text.file, text.line)
-    return Fault(place, text.reason, text.instead, where=text.where, remedies=text.remedies)
 
 
 def _judged(

@@ -12,7 +12,6 @@ from time import monotonic
 from typing import Any
 
 from onika.desk.plan.compile import rtpus_of
-from onika.desk.plan.preparation import fault_of
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import in_short
 from onika.link.lost import LinkLost
@@ -191,6 +190,6 @@ def _objection(prepared: request.Response) -> Reason:
     if not isinstance(prepared, request.Prepared):
         return NOTHING
     if prepared.faults:
-        return fault_of(prepared.faults[0]).reason
+        return prepared.faults[0].reason
     real = tuple(world for world, is_simulated in prepared.worlds.items() if not is_simulated)
     return Reason.of("desk.forecast_real", worlds=real) if real else NOTHING

@@ -9,7 +9,7 @@ from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.desk.plan.known_worlds import with_worlds
-from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
+from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
 from onika.desk.plan.varied import varied
@@ -31,6 +31,7 @@ from onika.wire.plan import Plan
 from onika.wire.runtime_standing import Standing
 from onika.wire.steer import Position
 from onika.wire.world_values import WorldValues, options_of
+from onika.words.cause import causes_first
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
@@ -191,7 +192,7 @@ def _open(
         _prepare(prepared, plan, runtime, outcome)
         outcome.faults = with_worlds(outcome.faults, site)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
-        outcome.faults += _unheard_of(settings.expectations, plan)
+        outcome.faults = causes_first((*outcome.faults, *_unheard_of(settings.expectations, plan)))
         if outcome.faults:
             yield None
         else:
@@ -334,7 +335,7 @@ def _is_virtual(runtime: RunRuntime) -> bool:
 def _prepare(prepared: PreparedRun, plan: Plan, runtime: RunRuntime, outcome: Outcome) -> None:
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
-        outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
+        outcome.faults += [text.fault for text in answer.faults if text.fault not in outcome.faults]
         outcome.notes += answer.notes
         outcome.notes += drive_lines(worlds_by_flow(plan), answer.worlds)
     elif isinstance(answer, request.Refused):

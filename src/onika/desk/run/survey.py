@@ -95,7 +95,8 @@ def _faults(files_of: Mapping[Path | None, list[Path]], site: Site, note: Note) 
 
 
 def _named(fault: Fault, path: Path) -> Fault:
-    return replace(fault, place=Place(_as_given(fault.place.file, path), fault.place.line))
+    place, *because = (Place(_as_given(at.file, path), at.line) for at in (fault.place, *fault.because))
+    return replace(fault, place=place, because=tuple(because))
 
 
 def _placed(note: Reason, path: Path) -> Reason:
@@ -241,7 +242,7 @@ def _asked(runtime: LaunchedRuntime, question: request.Request, note: Note) -> l
         return []
     for sentence in answer.notes:
         note(sentence)
-    return [Fault(Place(text.file, text.line), text.reason, text.instead) for text in answer.faults]
+    return [text.fault for text in answer.faults]
 
 
 def _tasks(

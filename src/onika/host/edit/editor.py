@@ -293,11 +293,7 @@ class LiveEditor:
 
 def refused(faults: Sequence[Fault], notes: Sequence[Reason]) -> request.Prepared:
     """All that is wrong, as it travels."""
-    texts = (
-        request.FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead, fault.where, fault.remedies)
-        for fault in sorted(set(faults))
-    )
-    return request.Prepared(tuple(texts), tuple(notes))
+    return request.Prepared(tuple(map(request.FaultText.of, sorted(set(faults)))), tuple(notes))
 
 
 def _aliased(wired: WiredTask, stated: dict[str, Any]) -> dict[str, Any]:

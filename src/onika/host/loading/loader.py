@@ -122,8 +122,7 @@ def fault_of(answer: Answer) -> Fault:
     """What is wrong with a module, as a fault."""
     if not isinstance(answer, UnusableModule):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
-    text = answer.fault
-    return Fault(Place(text.file, text.line), text.reason, text.instead)
+    return answer.fault.fault
 
 
 def _answer(question: Question, facts: ModuleFacts) -> Answer:
@@ -175,13 +174,11 @@ def _asked_about(question: Question) -> tuple[str, str]:
 
 
 def _world_faults(faults: tuple[Fault, ...]) -> WorldFaults:
-    return WorldFaults(
-        tuple(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead) for fault in faults)
-    )
+    return WorldFaults(tuple(map(FaultText.of, faults)))
 
 
 def _wrong(fault: Fault) -> UnusableModule:
-    return UnusableModule(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
+    return UnusableModule(FaultText.of(fault))
 
 
 def main(words: list[str]) -> None:

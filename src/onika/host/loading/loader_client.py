@@ -165,7 +165,7 @@ class LoaderClient:
         answer = self._ask(AskWorldFaults(world), Code("", world, world, ""))
         if not isinstance(answer, WorldFaults):
             return (fault_of(answer),)
-        return tuple(Fault(Place(text.file, text.line), text.reason, text.instead) for text in answer.faults)
+        return tuple(text.fault for text in answer.faults)
 
     def expect(self, codes: tuple[Code, ...]) -> None:
         """These modules will be asked about: begin with all of them."""

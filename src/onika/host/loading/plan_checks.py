@@ -1,6 +1,7 @@
 """What can be wrong with tasks that are to live together, found before any of them does (laws 7, 9, 10, 16)."""
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from onika.host.loading.module_questions import ModuleQuestions
@@ -11,6 +12,16 @@ from onika.wire.plan import Code, Plan
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason
 
+_WORLD = ".world"
+_LEAVING = (
+    "files.robot_left_out",
+    "files.world_left_out",
+    "host.no_device_used",
+    "workcell.device_left_out",
+    "workcell.place_left_out",
+    "workcell.robot_left_out",
+)
+"""What is done instead where devices are lacking afterwards."""
 _SLOWEST_HZ = 1e-3
 _FASTEST_HZ = 1e6
 """No task cycles more often; and no period rounds to nothing."""
@@ -86,12 +97,32 @@ def absent_devices(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list
     for device, task in _with_device(tasks):
         world, _, name = device.partition(":")
         devices = loading.devices(world)
+        because = _lacked(name, loading.world_faults(world))
         if isinstance(devices, Fault):
-            faults.append(_union(task, _no_world(devices.reason, device)))
+            faults.append(replace(_union(task, _no_world(devices.reason, device)), because=because))
         elif name not in devices:
             reason = Reason.of("host.no_such_device", world=world, devices=devices, device=device)
-            faults.append(_union(task, reason))
+            faults.append(replace(_union(task, reason), because=because))
     return faults
+
+
+def is_there(task: WiredTask, loading: ModuleQuestions) -> bool:
+    """Whether some world has the device of a task; nothing that needs one is true too."""
+    world, _, name = (task.device or "").partition(":")
+    devices = loading.devices(world) if world else ()
+    return not world or (not isinstance(devices, Fault) and name in devices)
+
+
+def _lacked(device: str, faults: Sequence[Fault]) -> tuple[Place, ...]:
+    """Where it is told what a world lacks, and a device for that."""
+    return tuple(fault.place for fault in faults if _leaves_out(fault, device))
+
+
+def _leaves_out(fault: Fault, device: str) -> bool:
+    """Whether a device may be lacking for this: a lamp, a sensor or a camera of the world has its own name."""
+    if fault.instead.key == "workcell.device_left_out" and fault.place.file.endswith(_WORLD):
+        return fault.instead.args["name"] == device
+    return fault.instead.key in _LEAVING
 
 
 def _with_device(tasks: Sequence[WiredTask]) -> list[tuple[str, WiredTask]]:

@@ -12,15 +12,13 @@ from onika.host.loading.plan_checks import (
     cycles,
     note_at,
     remarks,
-    shapeless,
     shared_devices,
-    states_constants,
-    unfit,
     unfit_together,
     wrong_rates,
 )
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks, wrong_worlds
+from onika.host.loading.stated_constants import stated_constants
 from onika.host.loading.target_order import in_order
 from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
 from onika.host.loading.world_kinds import driven_kinds
@@ -207,25 +205,13 @@ def _values(
 
     refused   the actions of whose targets it is said already that they are none for this robot
     """
-    constants: dict[str, Any] = {}
-    robots = []
-    for wired_task in sorted(wired, key=lambda wired_task: wired_task.sheet.hardware):
-        code = preparation.code[wired_task.task.digest]
-        published = loading.constants(code, wired_task.task.local) if states_constants(wired_task) else {}
-        if isinstance(published, Fault):
-            preparation.faults.append(published)
-            continue
-        aliases = dict(wired_task.task.aliases)
-        constants |= {aliases.get(name, name): value for name, value in published.items()}
-        preparation.faults += unfit(wired_task, code, published, loading)
-        if published and wired_task.sheet.hardware:
-            robots.append((wired_task, code, published))
-    preparation.constants[number] = constants
-    preparation.faults += shapeless(wired, constants)
+    stated = stated_constants(wired, preparation.code, loading)
+    preparation.constants[number] = constants = stated.constants
+    preparation.faults += stated.faults
     wrong, counted = _arguments(number, flow, wired, constants, preparation.plan, preparation.triggers)
     wrong = {index: fault for index, fault in wrong.items() if index not in refused}
     counted -= set(refused)
-    for wired_task, code, published in robots:
+    for wired_task, code, published in stated.robots:
         users = [
             target
             for target in targets

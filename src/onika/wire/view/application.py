@@ -72,6 +72,8 @@ class FaultView(View, frozen=True):
     remedies: tuple[Remedy, ...] = ()
     is_of_runtime: bool = False
     """Whether a runtime has found it, where it looked; `Run` looks again."""
+    follows: tuple[Reason, ...] = ()
+    """What is wrong for this reason only, and goes with it."""
     instant: int = 0
     """Of what is foreseen: the number under which `act.ForeseenInstant` shows it; 0: it is not foreseen."""
 

@@ -16,8 +16,9 @@ from onika.ring.device import MishapEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
-from onika.words.fault import Fault, Place
+from onika.words.fault import Fault
 from onika.words.reason import Reason
+from onika.workcell.cell.cell_devices import usable_lamps, usable_sensors
 from onika.workcell.cell.cell_hands import CellHands
 from onika.workcell.cell.cell_hindrance import CellHindrance
 from onika.workcell.cell.cell_lookout import CellLookout
@@ -28,11 +29,9 @@ from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
-from onika.workcell.composed.sensor_unit import SensorUnit, lacking
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.stands import Stands
 from onika.workcell.composed.still import still
-from onika.workcell.composed.switch_lamp import SwitchLamp, lacking_contact
 from onika.workcell.driven_world import DrivenWorld
 from onika.workcell.gripping.forceless import Forceless
 from onika.workcell.gripping.loose_parts import LooseParts
@@ -61,8 +60,9 @@ class FileWorld(DrivenWorld):
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         units = [*robot_units(self._composition, self._model_with)]
         self._stands = Stands(robots, self._composition.standing, units)
-        self._lamps = [*self._usable_lamps()]
-        self._watching: list[DeviceUnit] = [*self._lamps, *self._usable_sensors(), *self._more_units()]
+        self._lamps = [*usable_lamps(self._composition, self._plant.model)]
+        sensors = usable_sensors(self._composition, self._plant.model)
+        self._watching: list[DeviceUnit] = [*self._lamps, *sensors, *self._more_units()]
         buttons = [*self._panic_buttons()]
         super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
@@ -158,36 +158,6 @@ class FileWorld(DrivenWorld):
     def _more_units(self) -> Sequence[DeviceUnit]:
         """Devices of which only the class below this one knows."""
         return ()
-
-    def _usable_lamps(self) -> Iterator[SwitchLamp]:
-        """The lamps whose switches have all that they name."""
-        world, model = self._composition.world, self._plant.model
-        unfit = {switch.name: lacking_contact(model, switch) for switch in world.switches}
-        switches = {switch.name: switch for switch in world.switches if unfit[switch.name] is None}
-        for switch in world.switches:
-            why = unfit[switch.name]
-            if why is not None:
-                self._tell(switch.lines.get(why.keyword, 0), why.reason, switch.name)
-        for lamp in world.lamps:
-            gone = [name for name in lamp.when if name not in switches]
-            if gone:
-                reason = Reason.of("workcell.switch_left_out", name=gone[0])
-                self._tell(lamp.lines.get("WHEN", 0), reason, lamp.name)
-            else:
-                yield SwitchLamp(lamp, switches)
-
-    def _usable_sensors(self) -> Iterator[SensorUnit]:
-        """What is measured in the world itself."""
-        for sensor in self._composition.world.sensors:
-            unfit = lacking(self._plant.model, sensor)
-            if unfit is None:
-                yield SensorUnit(sensor.name, sensor, self._plant.model, "", "", "")
-            else:
-                self._tell(sensor.lines.get(unfit.keyword, 0), unfit.reason, sensor.name)
-
-    def _tell(self, line: int, reason: Reason, name: str) -> None:
-        place = Place(self._composition.sources.place.file, line)
-        self._composition.faults.append(Fault(place, reason, Reason.of("workcell.device_left_out", name=name)))
 
     def _panic_buttons(self) -> Iterator[PanicButton]:
         for button in self._composition.world.buttons:

@@ -12,6 +12,7 @@ from onika.model.world import CONES, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.camera_spec import add_cameras, add_sky
+from onika.workcell.composed.model_fault import ModelFault
 from onika.workcell.composed.robot_model import HAND, ORIGIN, RobotModel, compiled, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.usable_parts import misplaced, part_spec, prefix_of, usable_parts
@@ -45,9 +46,10 @@ class Composition:
             raise ValueError(reason)
         self.world = sources.world
         usable = usable_parts(sources, self.world.parts, self.faults)
-        self.parts, self._sites = usable.parts, usable.sites
+        self.parts, self._sites, self._lost = usable.parts, usable.sites, {**usable.lost}
         self._models: dict[object, mujoco.MjModel] = {}
         self._robots: dict[tuple[str, PlaceHand], RobotModel | None] = {}
+        self._unusable: dict[str, tuple[Place, ...]] = {}
         self.places = tuple(place for place in self.world.places if self._is_used(place))
         self.standing = {place.name: NOTHING if place.is_empty else self.at(place)[0] for place in self.places}
 
@@ -71,6 +73,16 @@ class Composition:
             return model
         self._tell_hand(place, Reason.of("workcell.hand_is_arm", name=place.hand[0]))
         return None
+
+    def lost(self, *names: str) -> tuple[Place, ...]:
+        """Where it is told that parts, places or devices of these names cannot be used, or what elements belong to."""
+        return tuple(place for name in names for place in self._lost.get(name.partition(".")[0], ()))
+
+    def leave_out(self, name: str, line: int, reason: Reason, because: tuple[Place, ...] = ()) -> None:
+        """A device of the world that cannot be used, for what stands at a line of its file."""
+        place, instead = Place(self.sources.place.file, line), Reason.of("workcell.device_left_out", name=name)
+        self.faults.append(Fault(place, reason, instead, because=because))
+        self._lost[name] = (place,)
 
     def names_of(
         self, exchanged: Collection[str], before: Mapping[str, str], now: Mapping[str, str]
@@ -132,14 +144,17 @@ class Composition:
         """A robot with a hand or without; None, and told once, where it cannot be used."""
         if (name, hand) in self._robots:
             return self._robots[name, hand]
-        robot, model = self.sources.robots.get(name), None
+        robot, model, before = self.sources.robots.get(name), None, len(self.faults)
         if robot is not None:
             model = self._compiled(place, robot, hand)
         elif self.sources.files.find(f"robot/{name}.robot") is None:
             where = Place(self.sources.place.file, place.lines.get(keyword, 0))
             reason = Reason.of("workcell.robot_missing", name=name)
-            self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+            self.faults.append(Fault(where, reason, Reason.of("workcell.robot_left_out", name=name)))
         self._robots[name, hand] = model
+        if model is None:
+            of_text = (fault for fault in self.faults if fault.place.file == self.sources.robot_place(name).file)
+            self._unusable[name] = tuple(fault.place for fault in (*of_text, *self.faults[before:]))
         return model
 
     def _compiled(self, place: PlaceBlock, robot: RobotText, hand: PlaceHand) -> RobotModel | None:
@@ -167,9 +182,8 @@ class Composition:
         )
 
     def _tell_hand(self, place: PlaceBlock, reason: Reason) -> None:
-        fault = Fault(
-            Place(self.sources.place.file, place.lines.get("HAND", 0)), reason, Reason.of("files.robot_left_out")
-        )
+        where = Place(self.sources.place.file, place.lines.get("HAND", 0))
+        fault = Fault(where, reason, Reason.of("files.robot_left_out"))
         self.faults += [] if fault in self.faults else [fault]
 
     def _is_used(self, place: PlaceBlock) -> bool:
@@ -179,7 +193,10 @@ class Composition:
             return True
         keyword, reason = wrong or ("PLACE", Reason.of("workcell.place_empty", place=place.name))
         where = Place(self.sources.place.file, place.lines.get(keyword, 0))
-        self.faults.append(Fault(where, reason, Reason.of("workcell.place_left_out")))
+        robots = (*place.robots, *(place.hand[:1] if place.hand else ()))
+        because = (*self.lost(place.spot.on), *(each for name in robots for each in self._unusable.get(name, ())))
+        self.faults.append(Fault(where, reason, Reason.of("workcell.place_left_out"), because=because))
+        self._lost[place.name] = (where,)
         return False
 
     def _sites_at(self, place: PlaceBlock) -> set[str]:
@@ -239,5 +256,7 @@ def _meet_others(child: mujoco.MjSpec, number: int) -> None:
 
 
 def why_not(wrong: ValueError, sources: SourceTexts) -> Fault:
-    """What keeps a whole world from being made, as a fault of its file."""
+    """What keeps a whole world from being made, as a fault of its file, or at the line of a model that is to blame."""
+    if isinstance(wrong, ModelFault) and wrong.place.line:
+        return Fault(wrong.place, reason_of(wrong), Reason.of("files.world_left_out"))
     return Fault(sources.place, reason_of(wrong), Reason.of("files.world_left_out"))

@@ -16,6 +16,7 @@ from onika.workcell.composed.base_facts import FREE_JOINT, BaseFacts, base_facts
 from onika.workcell.composed.camera_spec import add_cameras, lenses
 from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
 from onika.workcell.composed.joint_facts import JointFacts, Unfit, arm_facts, axes_facts, shared
+from onika.workcell.composed.model_fault import OF_MODELS, ModelFault
 from onika.workcell.composed.sensor_unit import lacking
 from onika.workcell.composed.sources import SourceTexts, first_line
 
@@ -27,6 +28,8 @@ ORIGIN = "robot.origin"
 
 _DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
 _URDF = ".urdf"
+_KEYWORDS = {"workcell.no_such_name": "ON"}
+"""The lines of a robot's file of which reasons speak that are not about a model by itself."""
 
 
 DeviceFacts = JointFacts | GripperFacts | BaseFacts | SensorBlock
@@ -80,8 +83,7 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
     try:
         model = compiled(robot_spec(sources, robot))
     except ValueError as wrong:
-        place = sources.robot_place(robot.name, robot.lines.get("FILE", 0))
-        faults.append(Fault(place, reason_of(wrong), Reason.of("files.robot_left_out")))
+        faults.append(_unusable(sources, robot, wrong))
         return None
     speeds = _speeds(sources, robot)
     usable: list[DeviceFacts] = []
@@ -105,6 +107,19 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
         tuple(facts for facts in usable if isinstance(facts, BaseFacts)),
         tuple(facts for facts in usable if isinstance(facts, SensorBlock)),
     )
+
+
+def _unusable(sources: SourceTexts, robot: RobotText, wrong: ValueError) -> Fault:
+    """Why nothing of a robot can be used: at the line of its model that is to blame, else at that of its own file."""
+    reason, instead = reason_of(wrong), Reason.of("workcell.robot_left_out", name=robot.name)
+    models = {"": robot.file} | {f"{number}.": link for number, link in enumerate(robot.links, 1)}
+    models |= {HAND: robot.hand} if robot.hand else {}
+    if reason.key in OF_MODELS:
+        wrong = sources.model_fault(reason, {prefix: f"robot/{file}" for prefix, file in models.items()})
+    if isinstance(wrong, ModelFault) and wrong.place.line:
+        return Fault(wrong.place, reason, instead, because=(wrong.place,))  # two robots may have the same model
+    place = sources.robot_place(robot.name, robot.lines.get(_KEYWORDS.get(reason.key, "FILE"), 0))
+    return Fault(place, reason, instead, because=(place,))  # it may have been told already that a file is not there
 
 
 def at_home(model: Any, devices: Iterable[JointFacts], prefix: str = "") -> Any:

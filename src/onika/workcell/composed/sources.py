@@ -1,7 +1,7 @@
 """The files of a world, read: what its texts say, and each model as a document of its own that can be attached."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import PurePath
 from typing import Any
 
@@ -14,6 +14,7 @@ from onika.model.world import WorldText
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
+from onika.workcell.composed.model_fault import ModelFault, element_names, line_of, model_fault
 
 MISSING = "missing"
 """What a model calls a file that it needs and that is not there."""
@@ -57,6 +58,27 @@ class SourceTexts:
             self._specs[name] = spec.copy()
         return spec
 
+    def model_fault(self, reason: Reason, models: Mapping[str, str]) -> ModelFault:
+        """Why a document cannot be used, at the line of that of its models which is meant.
+
+        models   by what stands before their names in the document; the first one where none of these is meant
+        """
+        names, first = [*element_names(reason)], next(iter(models))
+        meant = (prefix for prefix in models if prefix and any(name.startswith(prefix) for name in names))
+        prefix = next(meant, first)
+        file = self.files.find(models[prefix])
+        if file is None:
+            return ModelFault(reason, Place(models[prefix]))
+        return model_fault(reason, [file, *self._included(file)], prefix)
+
+    def _included(self, model: WorldFile) -> Iterator[WorldFile]:
+        """The files of which a model is made beside its own."""
+        references = {reference.decode("utf-8", "replace") for reference in _REFERENCE.findall(model.content)}
+        for file in self.files.files:
+            if file.name in references and file.name.endswith(_MODELS):
+                yield file
+                yield from self._included(file)
+
     def _parsed(self, name: str) -> mujoco.MjSpec:
         file = self.files.find(name)
         if file is None:
@@ -66,7 +88,7 @@ class SourceTexts:
             text, needed = file.content.decode(), self._needed
             spec = mujoco.MjSpec.from_string(text, include=needed, assets=needed)
         except (ValueError, RuntimeError) as wrong:
-            raise ValueError(Reason.of("workcell.model_unreadable", path=file.path, why=first_line(wrong))) from None
+            raise self.model_fault(Reason.of("workcell.model_unreadable", why=first_line(wrong)), {"": name}) from None
         _drop_missing(spec)
         return spec
 
@@ -92,7 +114,8 @@ class SourceTexts:
             for reference in _REFERENCE.findall(content):
                 name = reference.decode("utf-8", "replace")
                 if name and name not in self._needed and not name.startswith(MISSING):
-                    raise ValueError(Reason.of("workcell.model_reference", path=file.path, name=name))
+                    reason = Reason.of("workcell.model_reference", name=name)
+                    raise ModelFault(reason, Place(file.path, line_of(file, name, r"file\w*")))
 
 
 def first_line(wrong: Exception) -> Reason:

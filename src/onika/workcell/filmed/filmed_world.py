@@ -75,7 +75,7 @@ class FilmedWorld(FileWorld):
     def _more_units(self) -> Sequence[CameraUnit]:
         cameras = [*self._of_world(), *self._of_robots()]
         for unit in cameras[MOST:]:
-            self._tell(0, Reason.of("workcell.many_cameras", most=MOST), unit.sheet.name)
+            self._composition.leave_out(unit.sheet.name, 0, Reason.of("workcell.many_cameras", most=MOST))
         self._cameras = tuple(cameras[:MOST])
         return self._cameras
 
@@ -89,7 +89,8 @@ class FilmedWorld(FileWorld):
                 yield CameraUnit(camera.name, camera, eye, focal_length(there[eye], camera.size[1]))
             else:
                 reason, keyword = _lacking(camera, there)
-                self._tell(camera.lines.get(keyword, 0), reason, camera.name)
+                because = self._composition.lost(camera.on, camera.view)
+                self._composition.leave_out(camera.name, camera.lines.get(keyword, 0), reason, because)
 
     def _of_robots(self) -> Iterator[CameraUnit]:
         for place in self._composition.places:

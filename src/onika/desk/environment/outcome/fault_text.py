@@ -2,13 +2,15 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from pathlib import Path
 
 from onika.desk.plan.icon_names import kind_named
 from onika.words.catalogue import sentence
-from onika.words.fault import Fault
+from onika.words.fault import Fault, Place
 from onika.words.reason import Argument, Reason
 from onika.words.sentence import gaps
 
+_OF_WORKCELLS = (".mjcf", ".robot", ".urdf", ".world", ".xml")
 _SENTENCES = {
     "desk.icon_twice": "run.name_twice",
     "desk.task_not_of_flow": "run.not_used",
@@ -79,7 +81,14 @@ _NOT_DONE = ("words.application_not_run", "words.nothing_run")
 
 
 def said(fault: Fault) -> Reason:
-    """A fault as a sentence."""
+    """A fault as a sentence; what is wrong with a file of a workcell, with file and line, for nothing else shows it."""
+    place = fault.place
+    if place.file.endswith(_OF_WORKCELLS):
+        return Reason.of("run.what_why", what=str(Place(Path(place.file).name, place.line)), why=_plain(fault))
+    return _plain(fault)
+
+
+def _plain(fault: Fault) -> Reason:
     reason = _special(fault.reason) or simple(fault.reason)
     if reason is not fault.reason:
         return reason

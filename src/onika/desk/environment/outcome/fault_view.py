@@ -23,6 +23,7 @@ from onika.store.program import ApplicationProgram
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, ShowLoop, ShowStep, ShowTarget, ShowValues
+from onika.words.cause import FaultGroup, by_cause
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
@@ -101,13 +102,20 @@ class FaultViews:
         if self.prepared is not None and self.site is not None:
             every = with_worlds(every, self.site)
             every = with_substitutes(every, self.prepared, self.redirects, self.site)
-        found: dict[tuple[int, str], FaultView] = {}
-        for one in every:
-            step = self._meant(one)
-            reason, remedies = said(self._shown(one, step)), tuple(dict.fromkeys(self._remedies(one, step)))
-            level: Literal["fault", "warning"] = "warning" if one.is_note else "fault"
-            found.setdefault((step, str(reason)), FaultView(reason, level, step, remedies, is_of_runtime))
-        yield from found.values()
+        views: dict[tuple[int, str], FaultView] = {}
+        for cause in by_cause(every):
+            fault_view = self._view(cause, is_of_runtime=is_of_runtime)
+            views.setdefault((fault_view.step, str(fault_view.text)), fault_view)
+        yield from views.values()
+
+    def _view(self, cause: FaultGroup, *, is_of_runtime: bool) -> FaultView:
+        """A cause, with what follows from it: at its own step, else at the first one of these."""
+        together = (cause.fault, *cause.consequences)
+        step = next((step for fault in together if (step := self._meant(fault))), 0)
+        reason, *follows = (said(self._shown(fault, step)) for fault in together)
+        remedies = tuple(dict.fromkeys(remedy for fault in together for remedy in self._remedies(fault, step)))
+        level: Literal["fault", "warning"] = "warning" if cause.fault.is_note else "fault"
+        return FaultView(reason, level, step, remedies, is_of_runtime, tuple(dict.fromkeys(follows)))
 
     def step_of(self, place: Place) -> int:
         """The step at which a fault stands, or the first one that uses the file in which it stands; 0: none."""

@@ -10,7 +10,6 @@ from onika.desk.environment.reconcile.world_kinds import with_kinds
 from onika.desk.environment.runs.retarget_marks import marked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import PreflightResult
-from onika.desk.plan.preparation import fault_of
 from onika.files import rmod
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
@@ -28,7 +27,8 @@ def looked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -
     opened = model.applications.get(troubles.doc)
     if opened is None:
         return model
-    fault_views = (*troubles.told(map(fault_of, prepared.faults), is_of_runtime=True), *_noted(troubles, prepared))
+    faults = (text.fault for text in prepared.faults)
+    fault_views = (*troubles.told(faults, is_of_runtime=True), *_noted(troubles, prepared))
     result = PreflightResult(troubles.application, troubles.redirects, model.runtime.address, fault_views)
     return marked(model.with_application(replace(opened, looked=result)), troubles, plan, prepared)
 

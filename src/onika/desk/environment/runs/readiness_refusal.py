@@ -6,7 +6,6 @@ from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.preparation import fault_of
 from onika.wire import request
 from onika.wire.view import FaultView, Remedy
 from onika.words.reason import Reason
@@ -29,7 +28,7 @@ def refused_by_runtime(troubles: FaultViews, response: request.Response) -> No:
     name = troubles.application.name
     if not isinstance(response, request.Prepared):
         return No(Reason.of("run.cannot_run", name=name, why=refusal(response)))
-    faults = list(troubles.told(map(fault_of, response.faults)))
+    faults = list(troubles.told(text.fault for text in response.faults))
     return No(Reason.of("run.cannot_run", name=name, why=_listed(faults)), _offered(faults))
 
 
