@@ -21,8 +21,8 @@ def test_so_many_studies_find_it():  # R-H03
     random, studies, each = np.random.default_rng(5), 10_000, 22
     means = np.array([-1.0, 0.0, 1.0]) * 0.4 * np.sqrt(1.5)  # their deviation is 0.4
     groups = [random.normal(mean, 1.0, (each, studies)) for mean in means]
-    found = np.mean(stats.f_oneway(*groups).pvalue < 0.05)
-    assert found == pytest.approx(power(0.4, 3, each), abs=0.015)
+    share = np.mean(stats.f_oneway(*groups).pvalue < 0.05)
+    assert share == pytest.approx(power(0.4, 3, each), abs=0.015)
     first = {str(mean): group[:, 0].tolist() for mean, group in zip(means, groups, strict=True)}
     assert compare(first).variance.p == pytest.approx(stats.f_oneway(*groups).pvalue[0])
 
