@@ -3,10 +3,11 @@ import threading
 import pytest
 
 from kit.labs.kept_library import MINUTE_NS, KeptLibrary
-from kit.labs.library_site import WINK_CODE, libraries_of, wink
+from kit.labs.library_site import TODAY, WINK_CODE, libraries_of, new_key, wink
 from onika.agent.library_keeper import MOST_BYTES, MOST_CHANGES
 from onika.files.library_index import LibraryIndex
 from onika.link.caller import Role
+from onika.store.remote.publication import fingerprint_of
 from onika.store.remote.remote_libraries import Offer
 from onika.wire.library_change import ChangedMeanwhile, ChangeRefused, ChangeTaken, PresentFile
 
@@ -117,3 +118,15 @@ def test_what_its_owner_has_changed_is_published_when_it_is_served_again(kept): 
     assert kept.keeper.begin().index.version == 2
     former = kept.publisher.former()
     assert isinstance(former, LibraryIndex) and "module/wink.py" in former.files
+
+
+def test_a_site_whose_key_has_changed_signs_its_library_anew(kept, tmp_path):  # R-F03, R-X16
+    young = new_key(tmp_path, "young")
+    kept.publisher.publish(TODAY, next_key=fingerprint_of(young.with_suffix(".pub")))
+    assert kept.keeper.begin() is None
+    for path in (young, young.with_suffix(".pub")):
+        path.replace(kept.site.key.with_suffix(path.suffix))
+    published = kept.keeper.begin()
+    assert published.signer == fingerprint_of(kept.site.key.with_suffix(".pub"))
+    assert published.index.next_key == ""
+    assert kept.keeper.begin() is None

@@ -107,7 +107,15 @@ class LibraryKeeper:
         if isinstance(former, Reason):
             return former
         description, next_key = (former.description, former.next_key) if former else ("", "")
+        if next_key and next_key == self._signer():
+            next_key = ""  # it is the key by now
         return self.publisher.publish(self._today(), description=description, next_key=next_key)
+
+    def _signer(self) -> str | None:
+        try:
+            return self.publisher.signer
+        except OSError:
+            return None
 
     def _refusal(self, change: LibraryChange, guest: Guest) -> Reason:
         """Why nothing of it is done, whatever is there now."""

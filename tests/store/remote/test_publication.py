@@ -74,3 +74,14 @@ def test_every_shipped_laboratory_can_be_published_whole(site, tmp_path):  # R-F
         done = Publisher(base, tmp_path / "labs" / base.name, site.key, base.name).publish(TODAY)
         assert not isinstance(done, Reason), done
         assert done.left_out == ()
+
+
+@pytest.mark.parametrize("options", [["-t", "ed25519", "-N", ""], ["-t", "rsa", "-N", "locked"]])
+def test_whose_key_it_is_stands_in_it_also_where_a_pass_phrase_locks_it(tmp_path, options):  # R-X16
+    key = tmp_path / "key"
+    subprocess.run(["ssh-keygen", "-q", "-f", str(key), *options], check=True)
+    public = fingerprint_of(key.with_suffix(".pub"))
+    assert Publisher(tmp_path, tmp_path, key, "lamps").signer == public
+    assert Publisher(tmp_path, tmp_path, key.with_suffix(".pub"), "lamps").signer == public
+    key.write_text("-----BEGIN NOTHING-----\nbm90aGluZw==\n-----END NOTHING-----\n")
+    assert Publisher(tmp_path, tmp_path, key, "lamps").signer is None

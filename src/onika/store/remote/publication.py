@@ -13,7 +13,7 @@ import zstandard
 from onika.files import library_index
 from onika.files.library_index import IndexedFile, LibraryIndex, indexed_text
 from onika.store.remote.code_pack import packed
-from onika.store.remote.index_check import opened
+from onika.store.remote.index_check import SignedIndex, opened
 from onika.store.remote.object_cache import write_whole
 from onika.store.remote.signature import sign
 from onika.store.remote.source import INDEX, object_path
@@ -31,6 +31,8 @@ DAYS = 92
 """How long an index may be taken for the newest, unless it is said otherwise."""
 
 _LEVEL = 19
+_KEY_BYTES = 20_000
+_OPENSSH = b"openssh-key-v1\0"
 _MODE = 0o644
 
 
@@ -69,8 +71,17 @@ class Publisher:
         except OSError as error:
             return system_reason_with_place(error)
 
+    @property
+    def signer(self) -> str | None:
+        """The fingerprint of the key; None where it stands nowhere in the clear. Raises OSError."""
+        return fingerprint_of(self.key) or _fingerprint_within(self.key.read_bytes()[:_KEY_BYTES])
+
     def former(self) -> LibraryIndex | Reason | None:
         """What lies in the folder; None: nothing. It must be this library. Raises OSError."""
+        signed = self._former()
+        return signed.index if isinstance(signed, SignedIndex) else signed
+
+    def _former(self) -> SignedIndex | Reason | None:
         path = self.folder / INDEX
         if not path.exists():
             return None
@@ -79,13 +90,15 @@ class Publisher:
             return Reason.of("store.former_unread", path=str(path), why=found)
         if found.index.name != self.name:
             return Reason.of("store.former_other", path=str(path), library=found.index.name)
-        return found.index
+        return found
 
     def is_published(self, today: date) -> bool:
-        """Whether what lies in the folder is just what the base directory has now, and not overdue."""
+        """Whether what lies in the folder is just what the base directory has now, signed by its key, not overdue."""
         try:
-            former = self.former()
-            return isinstance(former, LibraryIndex) and former.until >= today and former.files == self._gathered()[0]
+            former = self._former()
+            if not isinstance(former, SignedIndex) or self.signer not in (former.signer, None):
+                return False
+            return former.index.until >= today and former.index.files == self._gathered()[0]
         except OSError:
             return False
 
@@ -141,12 +154,30 @@ class Publisher:
 
 def fingerprint_of(public_key: Path) -> str | None:
     """The fingerprint of the key in a `.pub` file; None where there is none. Raises OSError."""
-    words = public_key.read_bytes()[:20_000].split()
+    words = public_key.read_bytes()[:_KEY_BYTES].split()
     try:
-        blob = base64.b64decode(words[1], validate=True)
+        return _fingerprint(base64.b64decode(words[1], validate=True))
     except (IndexError, binascii.Error):
         return None
-    return "SHA256:" + base64.b64encode(sha256(blob).digest()).decode().rstrip("=")
+
+
+def _fingerprint_within(private_key: bytes) -> str | None:
+    """That of the public key which an OpenSSH private key has in the clear, also where a pass phrase locks it."""
+    lines = private_key.split(b"-----")
+    try:
+        opened_key = base64.b64decode(b"".join(lines[2].split()), validate=True)
+        place = opened_key.index(_OPENSSH) + len(_OPENSSH)
+        for _ in range(3):  # how the rest is locked
+            place += 4 + int.from_bytes(opened_key[place : place + 4])
+        place += 4  # how many keys there are
+        size = int.from_bytes(opened_key[place : place + 4])
+        return _fingerprint(opened_key[place + 4 : place + 4 + size])
+    except (IndexError, ValueError):
+        return None
+
+
+def _fingerprint(public_key: bytes) -> str:
+    return "SHA256:" + base64.b64encode(sha256(public_key).digest()).decode().rstrip("=")
 
 
 def _paths(base: Path) -> Iterator[Path]:
