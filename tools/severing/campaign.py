@@ -95,12 +95,18 @@ class Campaign:
         """One run with one blow, and what came of it."""
         self.run += 1
         self.kinds[kind] = self.kinds.get(kind, 0) + 1
-        if self.is_loud:
-            print(f"run {self.run}: {kind}", flush=True)
+        began_s = monotonic()
         self.begin()
+        ready_s = monotonic()
         self.listen(self.random.uniform(0.2, 4.0))
         struck, expects_all = self.blow(kind)
-        is_whole = self.finish() if expects_all else self.end()
+        struck_s = monotonic()
+        is_whole = self.finish() if expects_all else self.end(self.sites[struck] if kind == "kill" else None)
+        if self.is_loud:
+            print(
+                f"run {self.run}: {kind}; joined and begun in {ready_s - began_s:.1f} s, struck after "
+                f"{struck_s - ready_s:.1f} s, over {monotonic() - struck_s:.1f} s later", flush=True,
+            )  # fmt: skip
         self.judge(kind, struck, is_whole=is_whole, expects_all=expects_all)
 
     def begin(self) -> None:
@@ -211,10 +217,13 @@ class Campaign:
                         site.join().ask(steer.Recover(f"flow{site.number}"))
         return all(site.results and site.results[0].completed for site in self.sites)
 
-    def end(self) -> bool:
-        """What is left of a run in which a site is no more, or everything was stopped, ends."""
+    def end(self, dead: FarSite | None) -> bool:
+        """What is left of a run in which a site is no more, or everything was stopped, ends.
+
+        The dead one is asked nothing: an answer is waited for as long as a line may be cut, which is a minute.
+        """
         self.listen(1.5)
-        for site in self.sites:
+        for site in [site for site in self.sites if site is not dead]:
             with suppress(LinkLost, OSError, TimeoutError):
                 site.join().ask(request.Abort(Reason.plain("enough")))
                 site.join().ask(live.Reset())
