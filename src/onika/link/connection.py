@@ -157,7 +157,7 @@ class Connection:
         """
         until_ns = self._clock() + round(timeout_s * 1e9)
         self._serve()
-        while not self._news and not self._readings and not self._is_gone and self._clock() < until_ns:
+        while not self._news and not self._readings and not self.is_gone and self._clock() < until_ns:
             self._rest(until_ns)
             self._serve()
         news = [*self._news, *self._readings.values()]
@@ -179,7 +179,8 @@ class Connection:
         self._sort()
 
     @property
-    def _is_gone(self) -> bool:
+    def is_gone(self) -> bool:
+        """Whether there is no link, and none will be made."""
         return self.state in (LinkState.APART, LinkState.ENDED) and not self.comes_back
 
     def _step(self, until_ns: int, late: Reason) -> None:
@@ -237,7 +238,7 @@ class Connection:
                     self._lost = notice.lost
 
     def _raise_if_gone(self) -> None:
-        if self._is_gone:
+        if self.is_gone:
             raise self._lost or closed()
 
     def _outcome(self, outcome: ReplyReceived | RequestFailed, timeout_s: float) -> bytes:

@@ -1,10 +1,13 @@
 from itertools import islice
+from types import SimpleNamespace
 
 import pytest
 
 from kit.plans.bell_plan import bell
 from onika.desk.run.launched_runtime import LaunchedRuntime
-from onika.desk.run.runtime_conversation import NumberedResponse, in_short
+from onika.desk.run.runtime_conversation import NumberedResponse, RuntimeConversation, in_short
+from onika.link.lost import LinkLost, LossCause
+from onika.link.state import LinkState
 from onika.wire import event, live, request
 from onika.wire.runtime_standing import Standing
 from onika.words.reason import NOTHING, Reason
@@ -34,6 +37,17 @@ def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
     assert isinstance(replies[numbers[0]], Standing)
     assert replies[numbers[1]] == request.Done()
     assert str(replies[numbers[2]].reason) == "no world moon is open"
+
+
+@pytest.mark.parametrize("lost", [LinkLost(LossCause.OVER, Reason.plain("the session has ended")), None])
+def test_a_line_that_cannot_come_back_is_told_at_once_and_once(lost):  # R-A15, R-B07
+    connection = SimpleNamespace(state=LinkState.APART, is_gone=False, lost=lost, poll=lambda _timeout_s: [])
+    conversation = RuntimeConversation(connection)
+    assert list(conversation.events(0.0)) == []
+    connection.is_gone = True
+    with pytest.raises(LinkLost, match="the runtime is gone"):
+        list(conversation.events(0.0))
+    assert list(conversation.events(0.0)) == []
 
 
 def test_what_a_runtime_printed_last_is_left_out_in_short_and_all_else_is_kept():  # R-E10

@@ -16,7 +16,7 @@ from onika.link.link_events import (
     RequestFailed,
     SignalReceived,
 )
-from onika.link.lost import LinkLost, LossCause
+from onika.link.lost import LinkLost, LossCause, closed
 from onika.link.state import LinkState
 from onika.wire import event, live, request
 from onika.wire.foresight import WhatIf
@@ -88,6 +88,7 @@ class RuntimeConversation:
         self._readings: dict[str, bytes] = {}
         self._epoch = ""
         self._away_since = 0
+        self._is_told_gone = False
         self._has_begun = False
         """Whether a run was asked for, or a task turned ON by hand."""
 
@@ -164,6 +165,7 @@ class RuntimeConversation:
             elif isinstance(notice, EpochChanged):
                 self._new_epoch(notice.epoch)
             elif isinstance(notice, LinkStateChanged) and notice.lost is not None and not self._connection.comes_back:
+                self._is_told_gone = True
                 raise self._explained(notice.lost)
 
     def readings(self) -> dict[str, bytes]:
@@ -190,6 +192,9 @@ class RuntimeConversation:
             self._away_since = 0
             return
         self._away_since = self._away_since or now
+        if self._connection.is_gone and not (self._news or self._is_told_gone):
+            self._is_told_gone = True  # what was tried to come back has failed for good
+            raise self._explained(self._connection.lost or closed())
         if now - self._away_since >= _AWAY_NS:
             why = self._connection.lost or LinkLost(LossCause.SILENT, Reason.of("link.it_does_not_answer"))
             raise self._explained(why)
