@@ -136,3 +136,16 @@ def test_a_file_that_is_deleted_or_cut_meanwhile_is_told(desk):  # R-X05: else i
     desk.path.unlink()
     with pytest.raises(OSError, match="was deleted or replaced"):
         desk.sink.take(FinishRecording({}))
+
+
+def test_what_is_long_and_no_constant_is_looked_at_twice_as_often(desk):  # R-X05, law 29: no value unseen
+    assert desk.sink.is_in_no_hurry
+    desk.meet("Q_MEZ", "double[6]")
+    desk.meet("MAP", "double[100]")
+    assert not desk.sink.is_in_no_hurry  # it may be written in every cycle
+    desk.write("MAP", *range(100))
+    assert desk.sink.is_in_no_hurry  # a constant is written once
+    desk.write("MAP", *range(100))
+    assert not desk.sink.is_in_no_hurry
+    desk.sink.take(AddVariables("flow0", (), gone=("MAP",)), desk.table.segment.view)
+    assert desk.sink.is_in_no_hurry

@@ -12,7 +12,7 @@ from onika.runtime.table import Table, TableEntry
 from onika.words.shape import Shape
 
 _LONG = 512
-"""Bytes of a value that is not kept until there are more of them."""
+"""Bytes of a value that is not kept until there are more of them; its entry keeps three."""
 
 
 class VariablePlace(Struct, frozen=True):
@@ -34,6 +34,10 @@ def place_of(entry: TableEntry, units: Mapping[str, str]) -> VariablePlace:
     return VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset)
 
 
+_Piece = tuple[int, int, int, bytes]
+"""What came between two looks: their times, so many values, and the slots in which they lay."""
+
+
 class VariableRecorder:
     """`words[0]` counts what was written."""
 
@@ -50,38 +54,49 @@ class VariableRecorder:
         self._channel = writer.channel(topics.variable(subsystem, variable.name), *schema, about)
         self._messages = writer.messages
         self._encoded = value.encoder(shape)
-        self._is_long = shape.size > _LONG
-        self._since = ring.since
+        self.is_long = shape.size > _LONG
+        self._stretch, self._stride, self._size = ring.stretch, ring.stride, shape.size
         self._seen = max(ring.count - 1, 0) if is_late else 0
         self._last = b""
-        self._times: list[int] = []
-        self._values: list[bytes] = []
+        self._pieces: list[_Piece] = []
         self.words = ring.words
         self.missed = 0
         """Values that were written over before anybody looked."""
 
+    @property
+    def is_short_lived(self) -> bool:
+        """Whether its entry keeps few values, and it is more than a constant that was written once."""
+        return self.is_long and self.words[0] != 1
+
     def take(self, now: int, before: int) -> None:
-        """What was written since the last look, where it has changed; times are shared evenly between the looks."""
-        count, values = self._since(self._seen)
-        if count - self._seen != len(values):
-            if count < self._seen:  # the entry was made anew
-                count, values = self._since(0)
-            else:
-                self.missed += count - self._seen - len(values)
+        """What was written since the last look, as it lies in memory: it is taken apart later, many at once."""
+        count, number, slots = self._stretch(self._seen)
+        if count < self._seen:  # the entry was made anew
+            count, number, slots = self._stretch(0)
+        else:
+            self.missed += count - self._seen - number
         self._seen = count
-        apart = (now - before) // len(values) if before >= 0 and values else 0
-        at = now - apart * (len(values) - 1)
-        for data in values:
-            if data != self._last:
-                self._last = data
-                self._times.append(at)
-                self._values.append(data)
-            at += apart
-        if self._is_long:
+        self._pieces.append((before, now, number, slots))
+        if self.is_long:
             self.settle()
 
     def settle(self) -> None:
-        """Write down what was taken."""
-        if self._values:
-            self._messages(self._channel, self._times, self._encoded(self._values))
-            self._times, self._values = [], []
+        """Write down what was taken, where it has changed; times are shared evenly between two looks."""
+        if not self._pieces:
+            return
+        times: list[int] = []
+        values: list[bytes] = []
+        last, size, stride = self._last, self._size, self._stride
+        for before, now, number, slots in self._pieces:
+            apart = (now - before) // number if before >= 0 and number else 0
+            at = now - apart * (number - 1)
+            for begin in range(0, len(slots), stride):
+                data = slots[begin : begin + size]
+                if data != last:
+                    last = data
+                    times.append(at)
+                    values.append(data)
+                at += apart
+        self._last, self._pieces = last, []
+        if values:
+            self._messages(self._channel, times, self._encoded(values))

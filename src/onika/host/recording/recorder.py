@@ -25,7 +25,7 @@ from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason_with_place
 
 _LOOKS = 4
-"""Periods of the fastest task between two looks; an entry keeps sixty-three values, so that looks may come late."""
+"""Periods of the fastest task between two looks, where entries keep few values; else every second look is enough."""
 _UNTOLD = (event.LastSecondsKept, event.Result, event.Stood)
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 END_NS = 5_000_000_000

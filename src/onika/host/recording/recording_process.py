@@ -99,7 +99,7 @@ def _follow(post: ProcessSocket, inlet: ProcessSocket, sink: RecordingSink, ever
         now = monotonic_ns()
         if now >= due and zero >= 0 and not sink.is_finished:
             _look(inlet, sink, zero)
-            due = max(due + every_ns, now)
+            due = max(due + (2 * every_ns if sink.is_in_no_hurry else every_ns), now)
     if not sink.is_finished:
         sink.flush()  # the runtime is gone: what was seen is all there is
 

@@ -80,6 +80,7 @@ class RecordingSink:
         self._writer = writer
         self._watched: list[VariableRecorder] = []
         self._counts: list[int] = []
+        self._long: list[VariableRecorder] = []
         self._looked_at = -1
         self._turn = 0
         self._written = 0
@@ -102,6 +103,7 @@ class RecordingSink:
                 ]
                 self._watched += some
                 self._counts += [0] * len(some)
+                self._long += [watched for watched in some if watched.is_long]
             case AddMessage():
                 is_event = order.topic == topics.EVENTS
                 title = topics.HAPPENED if is_event else topics.WANTED
@@ -137,6 +139,11 @@ class RecordingSink:
             self._watched[self._turn].settle()
 
     @property
+    def is_in_no_hurry(self) -> bool:
+        """Whether the entries of all variables keep so many values that every second look is enough."""
+        return not any(watched.is_short_lived for watched in self._long)
+
+    @property
     def missed(self) -> int:
         """Values that were written over before anybody looked."""
         return self._missed_of_gone + sum(watched.missed for watched in self._watched)
@@ -158,6 +165,7 @@ class RecordingSink:
             self._missed_of_gone += watched.missed
         self._counts = list(compress(self._counts, kept))
         self._watched = list(compress(self._watched, kept))
+        self._long = [watched for watched in self._watched if watched.is_long]
 
     def _settle(self) -> None:
         for watched in self._watched:
