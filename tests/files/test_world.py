@@ -37,6 +37,21 @@ EOF
 """
 
 
+@pytest.mark.parametrize("line", ["ABOVE       table.height 0.3", "ABOVE       table.height -0.3 2", "TOUCHED"])
+def test_a_switch_says_what_closes_it(line):  # R-X19
+    text = CUBES.replace("PRESSED     table.patch 0.02", line)
+    world, faults = read(text, "cubes", "f")
+    assert faults == ()
+    assert line in write(world).splitlines()
+    assert read(write(world), "cubes", "f")[0] == world
+
+
+@pytest.mark.parametrize("line", ["ABOVE table.height", "ABOVE table.height 0.3 1.5", "ABOVE table.height 0.3 -1"])
+def test_a_number_of_a_sensor_is_counted_from_0(line):  # R-B07, R-X19
+    world, (fault,) = read(CUBES.replace("PRESSED     table.patch 0.02", line), "cubes", "f")
+    assert (world, fault.place.line) == (None, 20)
+
+
 def test_a_world_is_what_stands_where():  # R-X19
     world, faults = read(CUBES, "cubes", "f")
     assert faults == ()

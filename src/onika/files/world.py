@@ -9,7 +9,7 @@ from onika.files.line import row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
 from onika.model.camera import CameraBlock
-from onika.model.robot import SensorBlock
+from onika.model.robot import Numbers, SensorBlock
 from onika.model.world import (
     CONES,
     GRAVITY,
@@ -37,6 +37,7 @@ _HEAD = (
     KeywordSlot("VERSION"),
     *(KeywordSlot(keyword, Need.OPTIONAL) for keyword in ("DESC", "STEP", "GRAVITY", "CONTACT", "FLOOR")),
 )
+_OF_SWITCHES = ("NEAR", "PRESSED", "ABOVE", "TOUCHED")
 _SPOT = (KeywordSlot("AT", Need.OPTIONAL), KeywordSlot("ON", Need.OPTIONAL))
 _SLOTS = {
     "PART": (KeywordSlot("PART"), KeywordSlot("FILE"), *_SPOT, KeywordSlot("FREE", Need.OPTIONAL), name_rows.slot()),
@@ -48,7 +49,7 @@ _SLOTS = {
         name_rows.slot(),
         name_rows.slot(name_rows.HAND_NAME),
     ),
-    "SWITCH": (KeywordSlot("SWITCH"), KeywordSlot("NEAR", Need.OPTIONAL), KeywordSlot("PRESSED", Need.OPTIONAL)),
+    "SWITCH": (KeywordSlot("SWITCH"), *(KeywordSlot(keyword, Need.OPTIONAL) for keyword in _OF_SWITCHES)),
     "LAMP": (
         KeywordSlot("LAMP"),
         KeywordSlot("WHEN"),
@@ -106,9 +107,7 @@ def _show(block: Block) -> str:
         case PlaceBlock():
             return _show_place(block)
         case SwitchBlock():
-            near = row("NEAR", *block.near[:2], show_number(block.near[2])) if block.near else ""
-            pressed = row("PRESSED", block.pressed[0], show_number(block.pressed[1])) if block.pressed else ""
-            return row("SWITCH", block.name) + near + pressed
+            return _show_switch(block)
         case LampBlock():
             shines = row("SHINES", *block.shines) if block.shines else ""
             shines += row("GLOWS", *block.glows) if block.glows else ""
@@ -118,6 +117,16 @@ def _show(block: Block) -> str:
         case CameraBlock():
             return camera_block.show(block)
     return row("BUTTON", block.name) + row("STOPS", *block.stops)
+
+
+def _show_switch(switch: SwitchBlock) -> str:
+    near = row("NEAR", *switch.near[:2], show_number(switch.near[2])) if switch.near else ""
+    pressed = row("PRESSED", switch.pressed[0], show_number(switch.pressed[1])) if switch.pressed else ""
+    above = ""
+    if switch.above:
+        sensor, bound, place = switch.above
+        above = row("ABOVE", sensor, show_number(bound), *([str(place)] if place else []))
+    return row("SWITCH", switch.name) + near + pressed + above + (row("TOUCHED") if switch.is_touched else "")
 
 
 def _show_place(place: PlaceBlock) -> str:
@@ -199,10 +208,26 @@ def _spot(words: BlockWords) -> Spot:
 def _switch(words: BlockWords) -> SwitchBlock:
     sites, apart = words.named_numbers("NEAR", Reason.of("files.sites_and_distance"), 2, (1,), 0.0)
     sensor, force = words.named_numbers("PRESSED", Reason.of("files.sensor_and_force"), 1, (1,), 0.0)
-    if not (words.has("NEAR") or words.has("PRESSED")):
+    above, bound = words.named_numbers("ABOVE", Reason.of("files.sensor_and_bound"), 1, (1, 2))
+    if not any(words.has(keyword) for keyword in _OF_SWITCHES):
         words.wrong("SWITCH", Reason.of("files.switch_without_contact"))
     near = (sites[0], sites[1], apart[0]) if sites else None
-    return SwitchBlock(words.name("SWITCH"), near, (sensor[0], force[0]) if sensor else None, words.lines)
+    return SwitchBlock(
+        words.name("SWITCH"),
+        near,
+        (sensor[0], force[0]) if sensor else None,
+        words.lines,
+        (above[0], bound[0], _place_of_number(words, bound[1:])) if above else None,
+        words.has("TOUCHED"),
+    )
+
+
+def _place_of_number(words: BlockWords, given: Numbers) -> int:
+    """Which number of a sensor is meant, from 0."""
+    place = given[0] if given else 0.0
+    if place < 0.0 or place != int(place):
+        words.wrong("ABOVE", Reason.of("files.sensor_and_bound"))
+    return int(place)
 
 
 def _check_twice(world: WorldText, reading: TextReading) -> None:

@@ -70,17 +70,22 @@ class SwitchBlock:
 
     near     two sites that are at most so many metres apart
     pressed  a touch sensor that feels more than so many newtons
+    above    a sensor whose number with this place, from 0, is above a bound
+    touched  a hand has touched it, and not yet let it go
     """
 
     name: str
     near: tuple[str, str, float] | None = None
     pressed: tuple[str, float] | None = None
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    above: tuple[str, float, int] | None = None
+    is_touched: bool = False
 
     @property
     def elements(self) -> tuple[str, ...]:
         """The sites and sensors that it names."""
-        return (*(self.near[:2] if self.near else ()), *(self.pressed[:1] if self.pressed else ()))
+        sensors = [rule[0] for rule in (self.pressed, self.above) if rule is not None]
+        return (*(self.near[:2] if self.near else ()), *sensors)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,10 @@ PRESSED, LET_GO = 1.0, 0.0
 
 
 class PanicButton:
-    """A button that stays as it was put. `name` is what it is called in its world, `units` whose drives it stops."""
+    """A button that stays as it was put. `name` is what it is called in its world, `units` whose drives it stops.
+
+    One without units is only felt: a switch that a hand touches.
+    """
 
     takes = Reason.of("workcell.button_takes")
 

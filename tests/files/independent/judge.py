@@ -220,7 +220,16 @@ def _block(block: Block) -> tuple[str, str, dict[str, Any]]:
             titles = {"NAME": dict(block.names), "HANDNAME": dict(block.hand_names)}
             return "PLACE", block.name, {**lines, **_spot(block.spot), **titles}
         case SwitchBlock():
-            return "SWITCH", block.name, {"NEAR": block.near, "PRESSED": block.pressed}
+            return (
+                "SWITCH",
+                block.name,
+                {
+                    "NEAR": block.near,
+                    "PRESSED": block.pressed,
+                    "ABOVE": block.above,
+                    "TOUCHED": block.is_touched,
+                },
+            )
         case LampBlock():
             lines = {"WHEN": list(block.when), "SHINES": list(block.shines), "GLOWS": list(block.glows)}
             return "LAMP", block.name, {**lines, "NAME": dict(block.names)}

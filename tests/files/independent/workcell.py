@@ -202,16 +202,21 @@ def _place(script: Script) -> dict[str, Any]:
 
 
 def _switch(script: Script) -> dict[str, Any]:
-    near, pressed = script.new("NEAR"), script.new("PRESSED")
-    if near is None and pressed is None:
+    near, pressed, above, touched = (script.new(keyword) for keyword in ("NEAR", "PRESSED", "ABOVE", "TOUCHED"))
+    if near is None and pressed is None and above is None and touched is None:
         raise ValueError("SWITCH")
-    result: dict[str, Any] = {"NEAR": None, "PRESSED": None}
+    result: dict[str, Any] = {"NEAR": None, "PRESSED": None, "ABOVE": None, "TOUCHED": touched is not None}
     if near is not None:
         first, other, apart = words(near)
         result["NEAR"] = first, other, _from(apart, 0.0)
     if pressed is not None:
         sensor, force = words(pressed)
         result["PRESSED"] = sensor, _from(force, 0.0)
+    if above is not None:
+        sensor, bound, *place = words(above)
+        if len(place) > 1 or (place and (_from(place[0], 0.0) != int(_from(place[0], 0.0)))):
+            raise ValueError("ABOVE")
+        result["ABOVE"] = sensor, _from(bound, -1e9), int(_from(place[0], 0.0)) if place else 0
     return result
 
 

@@ -1,15 +1,22 @@
 """Which lamps and sensors of a world of files can be used; the others are told with their lines (requirement X19)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
+from onika.model.world import WorldText
 from onika.words.reason import Reason
 from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.sensor_unit import SensorUnit, lacking
 from onika.workcell.composed.switch_lamp import SwitchLamp, lacking_contact
+from onika.workcell.panic_button import PanicButton
 
 
-def usable_lamps(composition: Composition, model: Any) -> Iterator[SwitchLamp]:
+def touched_switches(world: WorldText) -> dict[str, PanicButton]:
+    """The switches that a hand can touch, by their names."""
+    return {switch.name: PanicButton(name=switch.name) for switch in world.switches if switch.is_touched}
+
+
+def usable_lamps(composition: Composition, model: Any, touched: Mapping[str, PanicButton]) -> Iterator[SwitchLamp]:
     """The lamps whose switches have all that they name."""
     world = composition.world
     switches = {}
@@ -26,7 +33,7 @@ def usable_lamps(composition: Composition, model: Any) -> Iterator[SwitchLamp]:
             reason, line = Reason.of("workcell.switch_left_out", name=gone[0]), lamp.lines.get("WHEN", 0)
             composition.leave_out(lamp.name, line, reason, composition.lost(*gone))
         else:
-            yield SwitchLamp(lamp, switches)
+            yield SwitchLamp(lamp, switches, touched)
 
 
 def usable_sensors(composition: Composition, model: Any) -> Iterator[SensorUnit]:

@@ -18,7 +18,7 @@ from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason
-from onika.workcell.cell.cell_devices import usable_lamps, usable_sensors
+from onika.workcell.cell.cell_devices import touched_switches, usable_lamps, usable_sensors
 from onika.workcell.cell.cell_hands import CellHands
 from onika.workcell.cell.cell_hindrance import CellHindrance
 from onika.workcell.cell.cell_lookout import CellLookout
@@ -60,10 +60,12 @@ class FileWorld(DrivenWorld):
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         units = [*robot_units(self._composition, self._model_with)]
         self._stands = Stands(robots, self._composition.standing, units)
-        self._lamps = [*usable_lamps(self._composition, self._plant.model)]
+        touched = touched_switches(world)
+        lamps = usable_lamps(self._composition, self._plant.model, touched)
+        self._lamps = sorted(lamps, key=lambda lamp: lamp.measures)  # what is measured overwrites what sensors feel
         sensors = usable_sensors(self._composition, self._plant.model)
         self._watching: list[DeviceUnit] = [*self._lamps, *sensors, *self._more_units()]
-        buttons = [*self._panic_buttons()]
+        buttons = [*self._panic_buttons(), *touched.values()]
         super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
         self._forceless: Forceless | None = None
