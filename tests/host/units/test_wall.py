@@ -14,6 +14,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.supervisor import Supervisor
 from onika.host.units.wall import WallDriver
 from onika.ring.segment import Segment
+from onika.runtime import news
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.store.shipped import shipped
@@ -119,6 +120,16 @@ def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  #
     assert run.driver.snapshots() == {}
     with pytest.raises(ValueError, match="gone"):
         run.driver.grant("rt0", "boxes:lamp")
+
+
+def test_who_complains_first_of_a_silent_device_does_not_hide_that_its_server_was_killed(start):  # R-E10
+    run = start(most="60")
+    run.driven()
+    os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
+    while not any(isinstance(heard, news.Failed) for _, heard in run.driver._heard):
+        select.select([run.driver._supervisor.processes["rt0"].post], [], [])
+        run.driver._receive()
+    assert str(run.over().cause) == "the device server was killed by signal 9"
 
 
 def test_a_copy_of_a_world_has_a_server_of_its_own_and_all_drives_hold_when_it_is_lost(start):  # R-E09, R-E10

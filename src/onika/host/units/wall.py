@@ -215,12 +215,16 @@ class WallDriver:
         """Take in what the processes say; end those that fail."""
         self._receive()
         self._units.answer_starts(self.now)
+        lost = [gone for gone in self._supervisor.troubles() if not self._units.fail_start(*gone)]
+        for supervised, reason in lost:
+            if self._devices.is_one(supervised):
+                self._lost(supervised, reason)  # it is why units complain of devices that are silent
         while self._heard and self._listener is not None:
             name, heard = self._heard.popleft()
             self._listener.hear(name, heard, self.now)
-        for supervised, reason in self._supervisor.troubles():
-            if not self._units.fail_start(supervised, reason):
-                self._lost(supervised, reason)
+        for supervised, reason in lost:
+            if not self._devices.is_one(supervised):
+                self._lost(supervised, reason)  # after its last words
 
     def wait_s(self) -> float:
         """How long the loop may sleep before `advance` has something to do."""
