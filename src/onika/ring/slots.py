@@ -155,8 +155,9 @@ class Ring:
         words = self.words
         count = words[0]
         if count:
-            words[SEALS + (count & _SEAL)] = seal_of(self.slots[count & self.last], count)
-        words[STRANGE] = words[STRANGE] & _COUNTED | _rest(count) << 32
+            seal = crc32(self.slots[count & self.last], count)  # as `seal_of` and `_rest`, without a call: each switch
+            words[SEALS + (count & _SEAL)] = (count & _COUNTED) << 32 | seal
+        words[STRANGE] = words[STRANGE] & _COUNTED | ((count << 1 | 1) & _COUNTED) << 32
 
     def _use(self) -> None:
         self.words[STRANGE] &= _COUNTED

@@ -68,6 +68,8 @@ class RunningTask:
         self.check_mask = _cycles_to_check(spawn.frequency)
         """The bits of the number of cycles that are 0 when the module is looked at."""
         self._views = views
+        self.watch_words = views[f"table:{spawn.subsystem}"][:8].cast("q")
+        """Up to when inputs of hardware of its subsystem are watched (law 33)."""
         declared = (port.port(name) for name, port in cls.declared_ports.items())
         self._moved = tuple((port.name, port.kind.is_input) for port in declared if port.kind.at_cycle)
         """The ports whose values move in every cycle, as loaded: a sick module may change what it declares."""

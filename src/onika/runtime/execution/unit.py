@@ -153,9 +153,8 @@ class ProcessingUnit:
 
         On whatever unit that is. Hardware itself feeds none.
         """
-        table = self.views.get(f"table:{task.spawn.subsystem}")
-        if table is not None and task.input_guard is None:
-            words = table[:8].cast("q")
+        if task.input_guard is None:
+            words = task.watch_words
             periods_ns = 2 * task.period_ns if task.is_on and task.is_periodic else 0
             words[0] = max(words[0], now + WATCHED_NS + periods_ns)
 
