@@ -51,24 +51,24 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
 # The profile draws the same examples every time, so a change is judged by what it changed, and fifteen in a hundred of those
-# that `soak` draws anew. What starts programs runs apart from what starts browsers, two of a kind at a time share the
-# machine. Both wait for much; what only computes goes on behind them, and gets what they leave of the processors. The
+# that `soak` draws anew. What starts programs runs apart from what starts browsers: both wait for the clock most of the
+# time, so three at a time share two processors. What only computes goes on behind them, and gets what they leave. The
 # first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried twice more, and
 # the summary names it as RERUN. A test that fails three times has a fault.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
-TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 2 -rR --durations=15 --durations-min=2
+TESTS := $(BIN)/pytest --hypothesis-profile=ci --dist=loadfile --reruns 2 -rR --durations=15 --durations-min=2
 
 test: check ## the checks and all tests but the soak
 	@$(MAKE) --no-print-directory tests
 
 tests: $(VENV)/.installed-dev page
-	PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)
 	@$(SIDE_BY_SIDE) \
-	  '$(TWO_AT_A_TIME) -m "site and not slow"' \
-	  '$(TWO_AT_A_TIME) -m "page and not slow"' \
-	  --behind '$(TWO_AT_A_TIME) -m "not slow and not site and not page"'
+	  'PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)' \
+	  '$(TESTS) --numprocesses=3 -m "site and not slow"' \
+	  '$(TESTS) --numprocesses=3 -m "page and not slow"' \
+	  --behind '$(TESTS) --numprocesses=2 -m "not slow and not site and not page"'
 
 mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
 	PYTHONPATH=tools $(BIN)/python -m mutation
