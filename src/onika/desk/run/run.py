@@ -25,6 +25,7 @@ from onika.desk.run.steering_script import ScriptLine
 from onika.desk.run.world_text import drive_lines
 from onika.link.lost import LinkLost
 from onika.model.redirect import Redirect
+from onika.store.repeated_names import folded
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
@@ -214,7 +215,7 @@ def _prepared(
         prepared = prepare_run(settings.name, site, _by_number(settings))
     outcome.name = prepared.name
     outcome.faults += prepared.faults
-    outcome.notes += [note.sentence for note in prepared.notes]
+    outcome.notes += [note.sentence for note in folded(prepared.notes)]
     return prepared, recorded
 
 

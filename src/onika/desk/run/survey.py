@@ -18,6 +18,7 @@ from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
 from onika.store import module_catalogue
 from onika.store.base_directory import BaseDirectory
+from onika.store.repeated_names import folded
 from onika.store.site import Site
 from onika.wire import live, request
 from onika.wire.plan import Code, PlannedTask
@@ -71,7 +72,7 @@ def survey(path: Path, site: Site, note: Note = lambda _text: None) -> tuple[lis
         return _unchecked(path, Reason.of("desk.nothing_of_ours"))
     notes: list[Reason] = []
     wrong, notes_of_faults = parted(_faults(files_of, site, notes.append))
-    named = (_named(fault, path).sentence for fault in notes_of_faults)
+    named = (fault.sentence for fault in folded(dict.fromkeys(_named(fault, path) for fault in notes_of_faults)))
     for remark in dict.fromkeys((*named, *(_placed(remark, path) for remark in notes))):
         note(remark)
     return [Path(_as_given(str(file), path)) for file in files], sorted(_named(fault, path) for fault in wrong)
@@ -219,10 +220,8 @@ def _with_ending(files: list[Path], ending: str) -> list[Path]:
 
 
 def _judged(runtime: LaunchedRuntime, run: PreparedRun, note: Note) -> list[Fault]:
-    """What is wrong with an application, by itself and by its modules."""
-    for remark in run.notes:
-        note(remark.sentence)
-    faults = list(run.faults)
+    """What is wrong with an application, by itself and by its modules, and what is worth knowing of it."""
+    faults = [*run.notes, *run.faults]
     if run.plan is not None:
         faults += _asked(runtime, request.Prepare(run.plan, run.targets), note)
     return faults

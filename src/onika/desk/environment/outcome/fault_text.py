@@ -70,6 +70,7 @@ _SENTENCES = {
     "runtime.local_missing": "run.no_local",
     "runtime.port_undeclared": "run.no_port",
     "store.name_twice": "run.name_twice",
+    "store.names_twice": "run.names_twice",
 }
 """Of a reason, by its key, the sentence that says it without places and files' names of types, with its arguments."""
 

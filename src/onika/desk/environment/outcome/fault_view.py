@@ -20,6 +20,7 @@ from onika.model.rules.hole import holes
 from onika.model.rules.outline import Outline
 from onika.model.syntax import Syntax
 from onika.store.program import ApplicationProgram
+from onika.store.repeated_names import folded
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, ShowLoop, ShowStep, ShowTarget, ShowValues
@@ -98,7 +99,7 @@ class FaultViews:
 
     def told(self, faults: Iterable[Fault], *, is_of_runtime: bool = False) -> Iterator[FaultView]:
         """Faults and notes, those of tasks with who could stand for these."""
-        every = list(faults)
+        every = folded(faults)
         if self.prepared is not None and self.site is not None:
             every = with_worlds(every, self.site)
             every = with_substitutes(every, self.prepared, self.redirects, self.site)
