@@ -1,6 +1,7 @@
 import pytest
 
 from kit.worlds.file_cells import ARM
+from kit.worlds.new_bases import CAR, SLED
 from kit.worlds.robot_models import FAULTS, FAULTY, PLAIN, STATUE
 from onika.cli import main
 
@@ -41,7 +42,10 @@ def test_only_what_there_is_a_template_for_can_be_made(capsys):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("file", "text"), [("elbow.xml", ARM), ("plain.xml", PLAIN), ("six.urdf", FAULTY)])
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [("elbow.xml", ARM), ("plain.xml", PLAIN), ("six.urdf", FAULTY), ("sled.xml", SLED), ("car.xml", CAR)],
+)
 def test_of_a_model_a_robot_is_made_that_is_checked_and_runs_at_once(tmp_path, capsys, file, text):  # R-X19
     (tmp_path / file).write_text(text)
     mine, name = tmp_path / "mine", file.partition(".")[0]

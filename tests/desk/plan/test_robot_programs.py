@@ -28,6 +28,17 @@ def test_there_is_no_job_for_what_the_robot_does_not_have():  # R-X19
     assert {path for path in names(bare) if path.startswith("module/")} == {"module/crane.rmod"}
 
 
+def test_a_base_is_driven_on_and_back_and_an_arm_on_it_moves_in_between():  # R-X19
+    driving = replace(ALL, draft=RobotDraft(ahead=(0.3, 0.0, 0.0)))
+    assert {path for path in names(driving) if path.startswith(("module/", "conf/"))} == {
+        "module/crane_base.rmod", "conf/drive_craneC.conf"}  # fmt: skip
+    both = replace(ALL, draft=structs.replace(DRAFT, ahead=(0.3, 0.0, 0.0)))
+    (flow,) = kept.read(dict(both.texts())["tests/crane_tour.test"], "crane_tour", "f")[0].flows
+    assert [flow.actions[at].name for at in (0, -1)] == ["drive_craneC crane_ahead", "drive_craneC crane_start"]
+    assert [demand.address for demand in flow.at_end] == ["Q_MEZ", "P_TRUE[0]", "P_TRUE[1]"]
+    assert ("crane_base", "crane:base_stand") in flow.robots
+
+
 def test_the_test_demands_that_the_joints_are_home_in_the_end():  # R-X19
     text = dict(ALL.texts())["tests/crane_tour.test"]
     kept_run, faults = kept.read(text, "crane_tour", "crane_tour.test")

@@ -5,9 +5,10 @@ import pytest
 from msgspec import msgpack
 
 from kit.worlds.file_cells import ARM
+from kit.worlds.new_bases import CAR, SLED
 from kit.worlds.robot_models import PLAIN, STATUE
 from onika.files import robot as robot_file
-from onika.model.robot import RobotArm, RobotGripper
+from onika.model.robot import RobotArm, RobotBase, RobotGripper
 from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.workcell.composed.draft import draft
@@ -54,6 +55,17 @@ def test_every_line_that_is_no_plain_fact_says_where_it_comes_from():  # R-X19
 def test_a_model_of_which_no_robot_can_be_made_is_refused(text, key):  # R-X19
     answer = draft(source(text), "new", "new.xml")
     assert (answer.text, answer.refusal.key) == ("", key)
+
+
+def test_of_a_model_that_only_drives_a_base_is_made_and_of_one_with_an_arm_both():  # R-X19
+    (base,) = devices(CAR)
+    assert isinstance(base, RobotBase) and base.wheels == ("left", "right")
+    car = draft(source(CAR), "new", "new.xml")
+    assert (car.home, car.ahead, car.floor) == ((), (0.3, 0.0, 0.0), 0.02)
+    assert {keyword for _, keyword, _ in car.comments} >= {"WHEELS"}
+    sled, arm = devices(SLED)
+    assert (sled.slides, arm.start) == (("mx", "my", "mw"), "deck")
+    assert len(draft(source(SLED), "new", "new.xml").home) == 2
 
 
 def test_a_mesh_that_cannot_be_read_is_named():  # R-X19

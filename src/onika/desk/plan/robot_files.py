@@ -19,7 +19,7 @@ from onika.words.reason import Reason
 LONGEST = 64
 ENDINGS = (".xml", ".mjcf", ".urdf")
 
-_BLOCKS = ("ARM", "AXES", "GRIPPER", "CAMERA")
+_BLOCKS = ("BASE", "ARM", "AXES", "GRIPPER", "CAMERA")
 _TRIES = 3  # a description without the meshes that cannot be used, once more without those that then cannot
 
 Say = Callable[[Reason], str]

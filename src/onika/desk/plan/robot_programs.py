@@ -22,10 +22,12 @@ ARM = "arm"
 """What a draft calls an arm."""
 
 _CONSTANTS = "NDOF SCREW LINK PARENT LOAD QMIN QMAX Q^_MAX TAUMAX BASE TOOL HOME ROBOT"
-_JOINT, _CARTESIAN, _LEVEL = "Joint", "Cartesian", "Level"  # types of the syntax
+_JOINT, _CARTESIAN, _LEVEL, _PLACE = "Joint", "Cartesian", "Level", "Place"  # types of the syntax
 _LINE_S = 3.0
 _GRIP_S = 1.5
+_DRIVE_S = 6.0
 _WITHIN_S = 2.0
+_NEAR = 0.1  # how exactly a base stands at its start in the test (m)
 _CLOSE = 0.02  # how exactly joints stand at their target in the test (rad; m)
 
 Texts = Iterator[tuple[str, str]]
@@ -57,6 +59,16 @@ class RobotPrograms:
         yield f"tests/{self.tour}.test", kept.write(self._test())
 
     def _tasks(self) -> Iterator[Task]:
+        if self.draft.ahead:
+            yield Task(
+                f"{self.name}_base", "base", self._said("desk.robot_base"), outconst=("V_MAX",),
+                invar=("V_BASE",), outvar=("W_MEZ", "P_TRUE"), frequency=250.0,
+                local=(LocalLine("DEVICE", (self._device("base"),)),),
+            )  # fmt: skip
+        if self.draft.home:
+            yield from self._arm_tasks()
+
+    def _arm_tasks(self) -> Iterator[Task]:
         yield Task(
             self.name, "arm_pos", self._said("desk.robot_task"), outconst=tuple(_CONSTANTS.split()),
             invar=("Q_REF", "Q^_REF"), outvar=("Q_MEZ", "Q^_MEZ", "TAU_MEZ"), frequency=500.0,
@@ -76,6 +88,14 @@ class RobotPrograms:
         )  # fmt: skip
 
     def _configurations(self) -> Iterator[Configuration]:
+        if self.draft.ahead:
+            base = Placed(f"{self.name}_base", 720, 80, frequency=250.0)
+            others = (Placed("odometry", 420, 80, frequency=250.0), Placed("gopose", 120, 80, frequency=50.0))
+            yield Configuration(f"drive_{self.name}C", (base, *others))
+        if self.draft.home:
+            yield from self._arm_configurations()
+
+    def _arm_configurations(self) -> Iterator[Configuration]:
         arm = Placed(self.name, 420, 80, frequency=500.0)
         yield Configuration(f"jmove_{self.name}C", (arm, Placed("jtraj", 120, 80, frequency=250.0)))
         if self.draft.line:
@@ -91,7 +111,10 @@ class RobotPrograms:
             yield Configuration(f"grip_{self.name}C", (hand, Placed(f"{self.name}_fingers", 120, 80, frequency=50.0)))
 
     def _jobs(self) -> Iterator[Onikon]:
-        yield self._icon(f"jmove_{self.name}C", f"{_JOINT} job", "desk.robot_jmove")
+        if self.draft.ahead:
+            yield self._icon(f"drive_{self.name}C", f"{_PLACE} job", "desk.robot_drive")
+        if self.draft.home:
+            yield self._icon(f"jmove_{self.name}C", f"{_JOINT} job", "desk.robot_jmove")
         if self.draft.line:
             yield self._icon(f"cmove_{self.name}C", f"{_CARTESIAN} job", "desk.robot_cmove")
         if self.draft.opening:
@@ -99,8 +122,12 @@ class RobotPrograms:
 
     def _targets(self) -> Iterator[Onikon]:
         draft, seconds = self.draft, (self.draft.seconds,)
-        yield self._icon(f"{self.name}_home", f"{_JOINT} object", "desk.robot_home", (draft.home, seconds))
-        yield self._icon(f"{self.name}_away", f"{_JOINT} object", "desk.robot_away", (draft.away, seconds))
+        if draft.ahead:
+            yield self._icon(f"{self.name}_ahead", f"{_PLACE} object", "desk.robot_ahead", (draft.ahead,))
+            yield self._icon(f"{self.name}_start", f"{_PLACE} object", "desk.robot_start", ((0.0, 0.0, 0.0),))
+        if draft.home:
+            yield self._icon(f"{self.name}_home", f"{_JOINT} object", "desk.robot_home", (draft.home, seconds))
+            yield self._icon(f"{self.name}_away", f"{_JOINT} object", "desk.robot_away", (draft.away, seconds))
         if draft.line:
             yield self._icon(f"{self.name}_line", f"{_CARTESIAN} object", "desk.robot_line", (draft.line, (_LINE_S,)))
         if draft.opening:
@@ -108,26 +135,31 @@ class RobotPrograms:
             yield self._icon(f"{self.name}_closed", f"{_LEVEL} object", "desk.robot_closed", ((draft.opening[1],),))
 
     def _steps(self) -> Iterator[Onikon]:
-        """The application: open the hand, beside home, a straight line, close the hand, home."""
+        """The application: drive on, open the hand, beside home, a straight line, close the hand, home, drive back."""
         icons = {icon.name: icon for icon in (*self._jobs(), *self._targets())}
         name = self.name
-        order = [f"grip_{name}C", f"{name}_open", f"jmove_{name}C", f"{name}_away", f"cmove_{name}C", f"{name}_line",
-                 f"grip_{name}C", f"{name}_closed", f"jmove_{name}C", f"{name}_home"]  # fmt: skip
+        order = [f"drive_{name}C", f"{name}_ahead", f"grip_{name}C", f"{name}_open",
+                 f"jmove_{name}C", f"{name}_away", f"cmove_{name}C", f"{name}_line",
+                 f"grip_{name}C", f"{name}_closed", f"jmove_{name}C", f"{name}_home",
+                 f"drive_{name}C", f"{name}_start"]  # fmt: skip
         yield from (icons[step] for step in order if step in icons)
 
     def _test(self) -> KeptRun:
         """What is demanded of the application: where the joints are in the end."""
-        robots = [(self.name, self._device(self.name))]
+        robots = [(self.name, self._device(self.name))] if self.draft.home else []
+        robots += [(f"{self.name}_base", self._device("base"))] if self.draft.ahead else []
         robots += [(f"{self.name}_hand", self._device("gripper"))] if self.draft.opening else []
-        demand = Demand("Q_MEZ", self.draft.home, "rad", _CLOSE)
-        flow = KeptFlow("flow0", tuple(robots), tuple(self._actions()), (demand,))
+        demands = [Demand("Q_MEZ", self.draft.home, "rad", _CLOSE)] if self.draft.home else []
+        demands += [Demand(f"P_TRUE[{k}]", (0.0,), "m", _NEAR) for k in range(2)] if self.draft.ahead else []
+        flow = KeptFlow("flow0", tuple(robots), tuple(self._actions()), tuple(demands))
         return KeptRun(self.tour, "", (flow,))
 
     def _actions(self) -> Iterator[KeptAction]:
         steps = [*self._steps()]
         for job, target in zip(steps[::2], steps[1::2], strict=True):
-            is_grip = job.type == f"{_LEVEL} job"
-            yield KeptAction(f"{job.name} {target.name}", _GRIP_S if is_grip else _seconds(target), _WITHIN_S)
+            usual = {f"{_LEVEL} job": _GRIP_S, f"{_PLACE} job": _DRIVE_S}.get(job.type)
+            within = _DRIVE_S if job.type == f"{_PLACE} job" else _WITHIN_S
+            yield KeptAction(f"{job.name} {target.name}", _seconds(target) if usual is None else usual, within)
 
     def _icon(self, name: str, kind: str, key: str, values: tuple[tuple[float, ...], ...] = ()) -> Onikon:
         reason = self._reason(key)

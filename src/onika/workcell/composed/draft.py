@@ -11,6 +11,7 @@ from typing import Any
 import mujoco
 import numpy as np
 from msgspec import msgpack
+from msgspec.structs import replace
 
 from onika.files import robot as robot_file
 from onika.laws.frames import Array
@@ -19,6 +20,7 @@ from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.draft_base import AHEAD_M, BASE, DraftBase, draft_base
 from onika.workcell.composed.draft_cameras import draft_cameras
 from onika.workcell.composed.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
 from onika.workcell.composed.draft_gripper import DraftHand, draft_hand
@@ -62,13 +64,16 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
         model = compiled(robot_spec(sources, bare))
     except ValueError as wrong:
         return RobotDraft(refusal=reason_of(wrong), unusable=tuple(_unusable(files)))
-    chain = draft_chain(model)
+    base = draft_base(model)
+    chain = draft_chain(model, base.joints if base else ())
+    if chain is None and base is not None:
+        return _driving(model, base, bare, sources)
     if chain is None:
         return RobotDraft(refusal=Reason.of("workcell.draft_no_joints"))
     home = draft_home(model, chain, is_apart=file.endswith(_URDF))
     hand = draft_hand(model, chain, home.values)
     tool = draft_tool(model, _data(model, chain, home.values), chain, hand.fingers)
-    devices = tuple(_devices(model, chain, tool, hand, home))
+    devices = (*([base.device] if base else []), *_devices(model, chain, tool, hand, home, base))
     cameras = draft_cameras(model, [device.name for device in devices])
     robot = RobotText(name, file, name, devices=devices, cameras=cameras)
     faults: list[Fault] = []
@@ -76,7 +81,31 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
     arm = next((facts for facts in known.joints if facts.start), None) if known else None
     if known is None or arm is None:
         return RobotDraft(refusal=faults[0].reason)
-    return _complete(model, known, arm, (chain, tool, hand, home), faults, sources)
+    complete = _complete(model, known, arm, (chain, tool, hand, home), faults, sources)
+    return complete if base is None else _on_base(complete, base)
+
+
+def _driving(model: Any, base: DraftBase, bare: RobotText, sources: SourceTexts) -> RobotDraft:
+    """The draft of a robot that only drives."""
+    cameras = draft_cameras(model, [BASE])
+    robot = RobotText(bare.name, bare.file, bare.name, devices=(base.device,), cameras=cameras)
+    faults: list[Fault] = []
+    known = robot_model(sources, robot, faults)
+    if known is None or not known.bases:
+        return RobotDraft(refusal=faults[0].reason)
+    comments = [("CAMERA", "CAMERA", Reason.of("workcell.draft_camera"))] if cameras else []
+    notes = [] if len(sources.model(f"robot/{bare.file}").actuators) else [Reason.of("workcell.draft_motors")]
+    text = robot_file.write(robot)
+    return _on_base(RobotDraft(text=text, comments=tuple(comments), notes=tuple(notes)), base)
+
+
+def _on_base(draft: RobotDraft, base: DraftBase) -> RobotDraft:
+    """A draft with the base that its robot drives on."""
+    keyword = "WHEELS" if base.device.wheels else "SLIDES"
+    comments = (*draft.comments, ("BASE", keyword, base.origin), ("BASE", "SPEED", Reason.of("workcell.draft_speed")))
+    floor = base.floor if base.device.wheels else draft.floor
+    notes = (*draft.notes, *([Reason.of("workcell.draft_floor", floor=floor)] if floor and not draft.floor else []))
+    return replace(draft, comments=comments, notes=notes, floor=floor, ahead=(AHEAD_M, 0.0, 0.0))
 
 
 def _complete(
@@ -89,8 +118,7 @@ def _complete(
 ) -> RobotDraft:
     """The draft with what is known of the devices that can be used."""
     chain, _, hand, _ = guesses
-    usable = {facts.name for facts in known.joints} | {facts.gripper.name for facts in known.grippers}
-    devices = tuple(_filled(device, arm) for device in known.robot.devices if device.name in usable)
+    devices = tuple(_filled(device, arm) for device in known.robot.devices if device.name in known.usable)
     robot = RobotText(
         known.robot.name, known.robot.file, known.robot.description, devices=devices, cameras=known.robot.cameras
     )
@@ -125,7 +153,9 @@ def _opening(gripper: GripperFacts) -> tuple[float, ...]:
     return gripper.gripper.open[1], gripper.gripper.closed[1], round(force, 2)
 
 
-def _devices(model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand, home: DraftHome) -> Iterator[RobotDevice]:
+def _devices(
+    model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand, home: DraftHome, base: DraftBase | None
+) -> Iterator[RobotDevice]:
     values = () if home.is_usual else tuple(map(float, home.values))
     lines = {"ARM": 1}
     yield RobotArm("arm", tool.name, tool.offset, tool.approach, tool.fingers, chain.start, home=values, lines=lines)
@@ -137,7 +167,7 @@ def _devices(model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand, ho
         model.actuator(k).name
         for k in range(model.nu)
         if int(model.actuator_trntype[k]) == joint
-        and int(model.actuator_trnid[k, 0]) not in chain.joints
+        and int(model.actuator_trnid[k, 0]) not in (*chain.joints, *(base.joints if base else ()))
         and int(model.jnt_bodyid[int(model.actuator_trnid[k, 0])]) not in hand.fingers
         and model.actuator(k).name not in taken
     ]

@@ -41,10 +41,13 @@ class DraftTool:
     """Where it comes from."""
 
 
-def draft_chain(model: Any) -> DraftChain | None:
-    """The longest run of joints that does not branch, without fingers at its end; None: nothing moves."""
+def draft_chain(model: Any, taken: Sequence[int] = ()) -> DraftChain | None:
+    """The longest run of joints that does not branch, without fingers at its end; None: nothing moves.
+
+    taken   joints of a base, which are none of the arm on it
+    """
     driven = {int(of) for kind, of in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True) if not kind}
-    runs = [_usable(model, run, driven) for run in _runs(model)]
+    runs = [_usable(model, [joint for joint in run if joint not in taken], driven) for run in _runs(model)]
     joints = max(runs, key=len, default=())
     if not joints:
         return None

@@ -51,6 +51,12 @@ class RobotModel:
     bases: tuple[BaseFacts, ...] = ()
     sensors: tuple[SensorBlock, ...] = ()
 
+    @property
+    def usable(self) -> frozenset[str]:
+        """The names of its devices that move."""
+        joints, bases = {facts.name for facts in self.joints}, {facts.name for facts in self.bases}
+        return frozenset(joints | bases | {facts.gripper.name for facts in self.grippers})
+
 
 def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
     """The document of a robot with links and hand, ready to be attached; raises ValueError with the reason why not."""
