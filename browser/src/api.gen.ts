@@ -1686,6 +1686,12 @@ export interface GoalView {
   found?: string;
 }
 
+/** What so many conditions, one after the other, mean for people. */
+export interface GoalWordsView {
+  conditions: number;
+  words?: Record<string, string>;
+}
+
 /** What came of a run of an application that was begun for a puzzle. */
 export interface PuzzleResultView {
   puzzle: string;
@@ -1709,6 +1715,7 @@ export interface PuzzleView {
   titles?: Record<string, string>;
   tasks?: Record<string, string>;
   goals?: (string)[];
+  goal_words?: (GoalWordsView)[];
   is_fault?: boolean;
   actions?: number;
   seconds?: number;

@@ -42,6 +42,9 @@ export function branches({ view }: Seen): { step: StepView; flows: number[][] }[
     .map((step) => ({ step, flows: (step.flows ?? []).map((path) => [...(view?.flows?.[path]?.steps ?? [])]) }))
 }
 
+/** Whether it is something that is done: a job, a whole program, or nothing for once. */
+const isAction = (step: StepView): boolean => isJob(step) || step.role === 'application' || step.role === 'nop'
+
 /** The flows of the branches that can choose: by a condition, with an action in each of at least two flows. */
 export const choosing = (seen: Seen): number[][][] =>
   branches(seen)
@@ -49,7 +52,7 @@ export const choosing = (seen: Seen): number[][][] =>
       ({ step, flows }) =>
         flows.length > 1 &&
         (step.conditions ?? []).some(Boolean) &&
-        flows.every((flow) => flow.some((number) => isJob(seen.view?.steps?.[number] ?? {}))),
+        flows.every((flow) => flow.some((number) => isAction(seen.view?.steps?.[number] ?? {}))),
     )
     .map(({ flows }) => flows)
 

@@ -114,7 +114,7 @@ export const enHelp = {
     'Press Run. It counts when the run is completed and an action in the loop was done at least twice.',
   'tutorial.loopWithin': 'Find out: how often is what stands in a loop within a loop done?',
   'tutorial.loopWithinHow':
-    'Select the whole loop and repeat it again, twice. Say a number first, then run it and look at the counts at the icons. It counts when an action of the inner loop was done four times or more.',
+    'Select the whole loop and repeat it again, three times; a “do nothing” comes before it, for an action carries the mark of one loop only. Say a number first, then run it and look at the counts at the icons. It counts when an action of the inner loop was done four times or more.',
   'tutorial.branchSee': 'See a branch that works',
   'tutorial.branchSeeHow':
     'Open it and press Run. Which of the two flows is taken, and what would have to be so that it takes the other?',
@@ -203,6 +203,9 @@ export const enHelp = {
   'puzzle.mended': 'Mended',
   'puzzle.notYet': 'Not yet',
   'puzzle.uncounted': 'This run does not count: {why}.',
+  'puzzle.so': 'so it is',
+  'puzzle.notSo': 'not yet so',
+  'puzzle.exactly': 'The conditions exactly',
   'puzzle.holds': 'holds',
   'puzzle.found': 'does not hold: it was {value}',
   'puzzle.nothing': 'does not hold: no value was there at the end',

@@ -119,7 +119,7 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
     'Pulse Ejecutar. Cuenta cuando la ejecución se completa y una acción del bucle se hizo al menos dos veces.',
   'tutorial.loopWithin': 'Averigüe: ¿cuántas veces se hace lo que está en un bucle dentro de otro?',
   'tutorial.loopWithinHow':
-    'Seleccione el bucle entero y repítalo otra vez, dos veces. Diga antes un número; luego ejecútelo y mire las cuentas en los iconos. Cuenta cuando una acción del bucle interior se hizo cuatro veces o más.',
+    'Seleccione el bucle entero y repítalo otra vez, tres veces; delante viene un «no hagas nada», pues una acción lleva la marca de un solo bucle. Diga antes un número; luego ejecútelo y mire las cuentas en los iconos. Cuenta cuando una acción del bucle interior se hizo cuatro veces o más.',
   'tutorial.branchSee': 'Vea una bifurcación que funciona',
   'tutorial.branchSeeHow':
     'Ábrala y pulse Ejecutar. ¿Qué flujo toma, y qué tendría que ocurrir para que tomase el otro?',
@@ -207,6 +207,9 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'puzzle.mended': 'Arreglado',
   'puzzle.notYet': 'Todavía no',
   'puzzle.uncounted': 'Esta ejecución no cuenta: {why}.',
+  'puzzle.so': 'así es',
+  'puzzle.notSo': 'todavía no',
+  'puzzle.exactly': 'Las condiciones exactas',
   'puzzle.holds': 'se cumple',
   'puzzle.found': 'no se cumple: era {value}',
   'puzzle.nothing': 'no se cumple: al final no había valor',

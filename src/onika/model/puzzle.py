@@ -8,6 +8,15 @@ MOST_LEVEL = 9
 
 
 @dataclass(frozen=True, slots=True)
+class GoalWords:
+    """What one or several conditions, one after the other, mean for people."""
+
+    conditions: int
+    words: Names
+    """By language."""
+
+
+@dataclass(frozen=True, slots=True)
 class Puzzle:
     """A goal, by what must hold at the end of a run, with what is asked of a program beyond that.
 
@@ -33,6 +42,8 @@ class Puzzle:
     """One after the other, each by language."""
     solution: str = ""
     """A program that reaches the goal, named as `program`; empty: none is told."""
+    goals: tuple[GoalWords, ...] = ()
+    """The conditions in words, from the first one on; those that are left over are shown as they are."""
 
     @property
     def is_fault(self) -> bool:

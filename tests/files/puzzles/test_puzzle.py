@@ -5,7 +5,7 @@ from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
 from onika.files.puzzles.puzzle import read, write
-from onika.model.puzzle import Puzzle
+from onika.model.puzzle import GoalWords, Puzzle
 
 PUZZLE = Puzzle(
     name="light",
@@ -18,6 +18,7 @@ PUZZLE = Puzzle(
     seconds=23.5,
     hints=((("en", "Open first."), ("es", "Abra primero.")), (("en", "Then go down."),)),
     solution="assemble",
+    goals=(GoalWords(2, (("en", "the lamp is lit"), ("es", "la lámpara está encendida"))),),
 )
 TEXT = write(PUZZLE)
 
@@ -34,7 +35,10 @@ def test_a_puzzle_is_read_as_it_was_written():  # R-G10
 
 def test_a_person_can_read_it():  # R-G10
     assert "TITLE       en Light\nTITLE       es Luz\nTASK        en Light the lamp.\n" in TEXT
-    assert "EXPECT      LAMP == 1\nEXPECT      GRIP_MEZ[0] > 0.1\nACTIONS     25\nSECONDS     23.5\n" in TEXT
+    assert (
+        "EXPECT      LAMP == 1\nEXPECT      GRIP_MEZ[0] > 0.1\nGOAL        2 en the lamp is lit\n"
+        "GOAL        2 es la lámpara está encendida\nACTIONS     25\nSECONDS     23.5\n" in TEXT
+    )
 
 
 def test_what_is_needed_is_little():  # R-G10
@@ -53,12 +57,18 @@ def test_comments_of_the_former_text_stay():  # R-G10
         ("EXPECT      LAMP == 1\n", "EXPECT      LAMP is on\n", "10: expected a condition such as LAMP == 1"),
         ("LEVEL       3", "LEVEL       10", "7: expected a whole number from 1 to 9 after LEVEL"),
         ("LEVEL       3", "LEVEL       two", "7: expected a whole number from 1 to 9 after LEVEL"),
-        ("ACTIONS     25", "ACTIONS     0", "12: expected a whole number from 1 to 10000 after ACTIONS"),
-        ("SECONDS     23.5", "SECONDS     nan", "13: expected seconds, more than 0 and at most 3600 after SECONDS"),
-        ("SECONDS     23.5", "SECONDS     -1", "13: expected seconds, more than 0 and at most 3600 after SECONDS"),
+        ("ACTIONS     25", "ACTIONS     0", "14: expected a whole number from 1 to 10000 after ACTIONS"),
+        ("SECONDS     23.5", "SECONDS     nan", "15: expected seconds, more than 0 and at most 3600 after SECONDS"),
+        ("SECONDS     23.5", "SECONDS     -1", "15: expected seconds, more than 0 and at most 3600 after SECONDS"),
         ("TITLE       es Luz", "TITLE       fr Lumière", "4: expected a language of en and es, each once"),
         ("TITLE       es Luz", "TITLE       en Luz", "4: expected a language of en and es, each once"),
-        ("HINT        es Abra", "HINT        fr Abra", "16: expected a language of en and es, each once in a hint"),
+        ("HINT        es Abra", "HINT        fr Abra", "18: expected a language of en and es, each once in a hint"),
+        ("GOAL        2 en", "GOAL        3 en", "12: expected how many conditions are meant, no more than there are"),
+        ("GOAL        2 en", "GOAL        0 en", "12: expected how many conditions are meant"),
+        ("GOAL        2 en", "GOAL        two en", "12: expected how many conditions are meant"),
+        ("GOAL        2 es", "GOAL        1 es", "13: expected how many conditions are meant"),
+        ("GOAL        2 es", "GOAL        2 fr", "13: expected how many conditions are meant"),
+        ("GOAL        2 es", "GOAL        1 en", "13: expected how many conditions are meant"),
         ("PROGRAM     dark.al", "PROGRAM     dark one.al", "8: expected the name of an application, or of a text"),
         ("TASK        en Light the lamp.\nTASK        es Encienda la lámpara.\n", "", "expected a line TASK"),
         ("EXPECT      LAMP == 1\nEXPECT      GRIP_MEZ[0] > 0.1\n", "", "expected a line EXPECT"),
@@ -97,6 +107,7 @@ PUZZLES = st.builds(
     seconds=st.one_of(st.just(0.0), st.floats(0.001, 3600.0)),
     hints=st.lists(NAMES, max_size=3).map(tuple),
     solution=PROGRAMS,
+    goals=st.lists(st.builds(GoalWords, st.just(1), NAMES), max_size=1).map(tuple),
 )
 
 

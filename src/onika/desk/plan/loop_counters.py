@@ -1,8 +1,13 @@
-"""Jobs that only count how often a loop is gone through: where they decide no loop, nothing is repeated (E01)."""
+"""Jobs that only count how often a loop is gone through: where they decide no loop, nothing is repeated (E01).
+
+Each number counts apart, so loops within each other need different numbers.
+"""
 
 import ast
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import lru_cache
+from itertools import permutations
 from pathlib import Path
 
 from onika.desk.plan.declarations import declared_ports
@@ -17,16 +22,61 @@ from onika.words.reason import Reason
 
 
 def faults(program: ApplicationProgram, syntax: Syntax, file: str) -> Iterator[Fault]:
-    """The jobs of an application that would count a loop and are the test of none.
+    """The jobs of an application that would count a loop and are the test of none, or count two loops as one.
 
     Applications that it runs as icons are not looked into: what their last action returns may decide a loop here.
     """
     outline = Outline.of(program.application, syntax, file)
+    loops: list[_CountedLoop] = []
     for passage, action in outline.actions():
         configuration = program.configurations.get(action.icon.onikon.name)
-        if configuration and _only_counts(configuration, program) and not _decides(passage, action):
+        if not configuration or not _only_counts(configuration, program):
+            continue
+        if _decides(passage, action):
+            loops.append(_CountedLoop.of(passage, action))
+        else:
             at = outline.at(passage, action.position)
             yield outline.fault(action.icon, Reason.of("desk.repeats_nothing", name=action.icon.onikon.name, at=at))
+    for outer, inner in permutations(loops, 2):
+        if outer.counts_with(inner):
+            at, other = (outline.at(loop.passage, loop.action.position) for loop in (inner, outer))
+            yield outline.fault(inner.action.icon, Reason.of("desk.counts_alike", at=at, other=other))
+
+
+@dataclass(frozen=True, slots=True)
+class _CountedLoop:
+    """A loop that a job counts, from its first step to its last."""
+
+    passage: Passage
+    action: Action
+    first: int
+    last: int
+
+    @classmethod
+    def of(cls, passage: Passage, action: Action) -> "_CountedLoop":
+        """The loop that an action decides."""
+        steps = passage.flow.steps
+        tags = {step.while_tag for step in _tests(passage, action)}
+        ends = [at for at, step in enumerate(steps) if isinstance(step, Icon) and step.while_tag in tags]
+        return cls(passage, action, min(ends), max(*ends, action.end - 1))
+
+    @property
+    def number(self) -> tuple[object, ...]:
+        """How often, as its targets say."""
+        steps = self.passage.flow.steps[self.action.position + 1 : self.action.end]
+        return tuple(step.onikon.values for step in steps if isinstance(step, Icon))
+
+    def counts_with(self, inner: "_CountedLoop") -> bool:
+        """Whether another loop lies within it, and one counter could not tell them apart."""
+        is_alike = (self.action.icon.onikon.name, self.number) == (inner.action.icon.onikon.name, inner.number)
+        return is_alike and self._surrounds(inner)
+
+    def _surrounds(self, inner: "_CountedLoop") -> bool:
+        """In the same flow, or in one of a branch that stands within it."""
+        if inner.passage is self.passage:
+            return self.first <= inner.first and inner.last < self.action.position
+        branches = (f"{self.passage.path}, step {at}," for at in range(self.first, self.action.position))
+        return any(inner.passage.path.startswith(branch) for branch in branches)
 
 
 def counts_loops(code: Path) -> bool:
@@ -49,8 +99,14 @@ def _only_counts(configuration: Configuration, program: ApplicationProgram) -> b
 
 def _decides(passage: Passage, action: Action) -> bool:
     """Whether an action is the test of a loop; a mark on its target is one of it (reading 24)."""
-    steps = passage.flow.steps[action.position : action.end]
-    return any(isinstance(step, Icon) and step.while_tag is not None and step.while_test for step in steps)
+    return any(True for _ in _tests(passage, action))
+
+
+def _tests(passage: Passage, action: Action) -> Iterator[Icon]:
+    """Its steps that are the test of a loop."""
+    for step in passage.flow.steps[action.position : action.end]:
+        if isinstance(step, Icon) and step.while_tag is not None and step.while_test:
+            yield step
 
 
 @lru_cache(maxsize=1024)  # applications are judged after every change

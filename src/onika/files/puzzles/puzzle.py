@@ -6,7 +6,7 @@ from onika.files.layout import carry_comments
 from onika.files.line import FileLine, is_number, one_line, row, show_number
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
-from onika.model.puzzle import MOST_LEVEL, Puzzle
+from onika.model.puzzle import MOST_LEVEL, GoalWords, Puzzle
 from onika.model.world import Names
 from onika.words.condition import Condition
 from onika.words.fault import Fault
@@ -24,6 +24,7 @@ _SLOTS = (
     KeywordSlot("LEVEL"),
     KeywordSlot("PROGRAM", Need.OPTIONAL),
     KeywordSlot("EXPECT", many=True),
+    KeywordSlot("GOAL", Need.OPTIONAL, many=True),
     KeywordSlot("ACTIONS", Need.OPTIONAL),
     KeywordSlot("SECONDS", Need.OPTIONAL),
     KeywordSlot("HINT", Need.OPTIONAL, many=True),
@@ -49,6 +50,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Puzzle | None, tuple[Fa
         seconds=_seconds(words),
         hints=_hints(words),
         solution=words.word("SOLUTION", Reason.of("files.name_of_program")),
+        goals=_goals(words),
     )
     return (None if reading.broken else puzzle), reading.faults
 
@@ -59,11 +61,20 @@ def write(puzzle: Puzzle, former: str = "") -> str:
     parts += [name_rows.show_names(puzzle.tasks, "TASK"), row("LEVEL", str(puzzle.level))]
     parts += [row("PROGRAM", puzzle.program)] if puzzle.program else []
     parts += ["\n", *(row("EXPECT", text) for text in puzzle.expectations)]
+    parts += [
+        row("GOAL", str(goal.conditions), language, one_line(text))
+        for goal in puzzle.goals
+        for language, text in goal.words
+    ]
     parts += [row("ACTIONS", str(puzzle.actions))] if puzzle.actions else []
     parts += [row("SECONDS", show_number(puzzle.seconds))] if puzzle.seconds else []
     parts += ["\n", *map(_show_hint, puzzle.hints)] if puzzle.hints else []
     parts += ["\n", row("SOLUTION", puzzle.solution)] if puzzle.solution else []
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
+
+
+def _show_goal(goal: GoalWords) -> str:
+    return "".join(row("GOAL", str(goal.conditions), language, one_line(text)) for language, text in goal.words)
 
 
 def _show_hint(hint: Names) -> str:
@@ -85,6 +96,31 @@ def _hints(words: BlockWords) -> tuple[Names, ...]:
         else:
             hints[-1][language] = text
     return tuple(tuple(hint.items()) for hint in hints)
+
+
+def _goals(words: BlockWords) -> tuple[GoalWords, ...]:
+    """Each begins with a line in the language of the first; together they mean no more conditions than there are."""
+    goals: list[tuple[int, dict[str, str]]] = []
+    left, first = len(words.rows("EXPECT")), ""
+    for line in words.rows("GOAL"):
+        count, language, text = _goal_line(line)
+        first = first or language
+        if text and language == first and count <= left:
+            left -= count
+            goals.append((count, {language: text}))
+        elif text and language != first and goals and goals[-1][0] == count and language not in goals[-1][1]:
+            goals[-1][1][language] = text
+        else:
+            words.wrong_row(line, Reason.of("files.number_language_goal", languages=LANGUAGES))
+    return tuple(GoalWords(count, tuple(texts.items())) for count, texts in goals)
+
+
+def _goal_line(line: FileLine) -> tuple[int, str, str]:
+    """How many conditions, language and words; no words where anything is wrong."""
+    number, _, rest = line.text.partition(" ")
+    language, _, text = rest.strip().partition(" ")
+    is_number = number.isascii() and number.isdigit() and 0 < len(number) < 4 and int(number) > 0
+    return (int(number), language, text.strip()) if is_number and language in LANGUAGES else (0, language, "")
 
 
 def _expectation(line: FileLine, reading: TextReading) -> str:

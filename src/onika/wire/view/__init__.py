@@ -59,6 +59,7 @@ from onika.wire.view.network import (
 from onika.wire.view.puzzle import (
     BestView as BestView,
     GoalView as GoalView,
+    GoalWordsView as GoalWordsView,
     PuzzleResultView as PuzzleResultView,
     PuzzlesView as PuzzlesView,
     PuzzleView as PuzzleView,

@@ -15,6 +15,14 @@ class GoalView(View, frozen=True):
     """The value then; empty: there was none."""
 
 
+class GoalWordsView(View, frozen=True):
+    """What so many conditions, one after the other, mean for people."""
+
+    conditions: int
+    words: dict[str, str] = field(default_factory=dict)
+    """By language."""
+
+
 class PuzzleResultView(View, frozen=True):
     """What came of a run of an application that was begun for a puzzle."""
 
@@ -47,6 +55,8 @@ class PuzzleView(View, frozen=True):
     """By language, as the other words."""
     tasks: dict[str, str] = field(default_factory=dict)
     goals: tuple[str, ...] = ()
+    goal_words: tuple[GoalWordsView, ...] = ()
+    """What they mean, from the first one on."""
     is_fault: bool = False
     """Whether it begins with a program that is to be mended."""
     actions: int = 0

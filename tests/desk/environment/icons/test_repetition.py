@@ -1,6 +1,7 @@
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
+from onika.desk.environment.icons import repetition
 from onika.desk.environment.initial_model import opened
 from onika.model.application import Icon
 from onika.store.site import open_site
@@ -57,13 +58,29 @@ def test_an_action_with_its_target_is_repeated_whole(me):
     assert me.words == ["jmoveC A", "home", "repeatC A!", "ten"]
 
 
-def test_loops_lie_within_each_other_and_one_action_is_no_end_of_two(me):  # reading 23, R-X01
+def test_what_begins_with_an_end_of_a_loop_is_repeated_from_a_no_op_before_it(me):  # R-D13, R-D11, reading 23
+    first, last = me.begun("opengripC", "closegripC")
+    me.do(act.RepeatSteps(me.doc, (first, last), 2))
+    assert me.do(act.RepeatSteps(me.doc, (first, last, *(step.number for step in me.steps[2:])), 3)) == "B"
+    assert me.words == ["noop B", "opengripC A", "closegripC", "repeatC A!", "times_2", "repeatC B!", "three"]
+    me.do(act.Undo(me.doc))
+    assert me.words == ["opengripC A", "closegripC", "repeatC A!", "times_2"]
+
+
+def test_loops_lie_within_each_other_or_are_refused(me):  # reading 23, R-X01
     first, second, last = me.begun("opengripC", "closegripC", "opengripC")
-    me.do(act.RepeatSteps(me.doc, (second,), 2))
+    me.do(act.RepeatSteps(me.doc, (first, second), 2))
     no = me.no(act.RepeatSteps(me.doc, (second, last), 3))
+    assert no.reason.key == "desk.loop_crosses"
+    assert me.do(act.RepeatSteps(me.doc, (last,), 3)) == "B"
+
+
+def test_without_a_no_op_an_action_is_no_end_of_two_loops(me, monkeypatch):  # R-X01
+    (only,) = me.begun("opengripC")
+    me.do(act.RepeatSteps(me.doc, (only,), 2))
+    monkeypatch.setattr(repetition, "_noop", lambda _model: None)
+    no = me.no(act.RepeatSteps(me.doc, (only,), 3))
     assert "end of the loop A already" in str(no.reason) and no.remedies
-    assert me.do(act.RepeatSteps(me.doc, (first, last), 3)) == "B"
-    assert me.words[0] == "opengripC B" and me.words[-2] == "repeatC B!"
 
 
 @pytest.mark.parametrize("times", [-1, 0, 1, 1_000_001])

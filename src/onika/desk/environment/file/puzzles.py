@@ -13,7 +13,7 @@ from onika.files.puzzles.scores import PuzzleScore, PuzzleScores
 from onika.model.application import AppFlow, Application
 from onika.model.puzzle import Puzzle
 from onika.wire import act
-from onika.wire.view import BestView, PuzzlesView, PuzzleView
+from onika.wire.view import BestView, GoalWordsView, PuzzlesView, PuzzleView
 from onika.words.reason import Reason
 
 SCORES = "puzzles"
@@ -67,6 +67,7 @@ def _view(puzzle: Puzzle, score: PuzzleScore) -> PuzzleView:
         titles=dict(puzzle.titles),
         tasks=dict(puzzle.tasks),
         goals=puzzle.expectations,
+        goal_words=tuple(GoalWordsView(goal.conditions, dict(goal.words)) for goal in puzzle.goals),
         is_fault=puzzle.is_fault,
         actions=puzzle.actions,
         seconds=puzzle.seconds,

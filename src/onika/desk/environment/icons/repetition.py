@@ -15,7 +15,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import quoted
 from onika.desk.plan.loop_counters import counts_loops
-from onika.model.application import Icon
+from onika.model.application import AppFlow, Icon
 from onika.model.configuration import Configuration
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
@@ -52,12 +52,11 @@ def repeat_steps(model: Model, opened: OpenApplication, command: act.RepeatSteps
     tag = free_tag(opened.application)
     flow = jigsaw.insert(flow, last, Icon(for_placing(job), while_tag=tag, while_test=True), syntax)
     flow = jigsaw.insert(flow, last + 1, Icon(number), syntax)
-    anchor = replace(first.action.icon, while_tag=tag, while_test=False, while_if="")
-    flow = exchanged(flow, {first.action.position: anchor})
+    flow = _anchored(model, flow, first, tag)
     crossed = crossing_refused(opened, flow, tag, syntax)
     if crossed:
         return crossed
-    label = Reason.of("desk.repeating", name=quoted(anchor.onikon), times=command.times)
+    label = Reason.of("desk.repeating", name=quoted(first.action.icon.onikon), times=command.times)
     return reflowed(model, opened, {first.path: flow}, label, tag)
 
 
@@ -73,11 +72,27 @@ def _ends(model: Model, opened: OpenApplication, command: act.RepeatSteps) -> tu
     if isinstance(first, No):
         return first
     tag = first.action.icon.while_tag
-    if tag is not None:
+    if tag is not None and _noop(model) is None:
         remove = Remedy(Reason.of("desk.remove_loop", tag=tag), act.RemoveLoop(opened.id, first.action.icon.number))
         return No(Reason.of("desk.in_a_loop_already", icon=quoted(first.action.icon.onikon), tag=tag), (remove,))
     last = action_of(model, opened, spots[-1].step.number)
     return first, spots[-1].position if isinstance(last, No) else last.action.end - 1
+
+
+def _anchored(model: Model, flow: AppFlow, first: StepAction, tag: str) -> AppFlow:
+    """With the anchor at the first action; at a no-op before it where that is an end of another loop already."""
+    noop, icon = _noop(model), first.action.icon
+    if icon.while_tag is None or noop is None:
+        return exchanged(flow, {first.action.position: replace(icon, while_tag=tag, while_test=False, while_if="")})
+    anchor = Icon(for_placing(noop), while_tag=tag, while_test=False)
+    return jigsaw.insert(flow, first.action.position - 1, anchor, syntax_of(model))
+
+
+def _noop(model: Model) -> Onikon | None:
+    """A no-op of the open dictionaries, which takes no time and carries marks; None: there is none."""
+    syntax = syntax_of(model)
+    kinds = ((onikon, syntax.find(onikon.type)) for onikon in onikons(model))
+    return next((onikon for onikon, kind in kinds if kind is not None and kind.is_noop), None)
 
 
 def _counters(model: Model) -> Iterator[tuple[Onikon, IconType]]:
