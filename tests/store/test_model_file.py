@@ -87,3 +87,38 @@ def test_what_is_said_last_of_folders_counts_for_all_that_is_included(tmp_path):
     (tmp_path / "cell.xml").write_text(f'<mujoco><include file="parts/arm.xml"/>{last}</mujoco>')
     _, needed, faults = self_contained(tmp_path / "cell.xml")
     assert (faults, {file.path.name for file in needed}) == ((), {"link.obj", "arm.xml"})
+
+
+@pytest.fixture
+def collada(tmp_path):
+    """A model with one mesh in COLLADA."""
+    (tmp_path / "arm.dae").write_text("<COLLADA/>")
+    path = tmp_path / "arm.xml"
+    path.write_text('<mujoco><asset>\n<mesh file="arm.dae"/></asset></mujoco>')
+    return path
+
+
+def test_a_mesh_in_collada_becomes_one_that_mujoco_reads(collada, monkeypatch):  # R-X19
+    monkeypatch.setattr("onika.store.collada_mesh.obj_of", lambda content: b"obj of " + content)
+    content, (mesh,), faults = self_contained(collada)
+    assert (mesh.content, mesh.name[-4:], faults) == (b"obj of <COLLADA/>", ".obj", ())
+    assert f'file="{mesh.name}"'.encode() in content
+
+
+@pytest.mark.parametrize(
+    ("file", "is_installed", "key"),
+    [
+        ("arm.dae", False, "store.collada_extra"),
+        ("arm.dae", True, "store.collada_empty"),
+        ("arm.glb", True, "store.mesh_kind"),
+    ],
+)
+def test_a_mesh_that_mujoco_does_not_read_is_told_with_its_line_and_what_helps(
+    collada, monkeypatch, file, is_installed, key
+):  # R-B07, R-X19
+    monkeypatch.setattr("onika.store.collada_mesh.can_read", lambda: is_installed)
+    (collada.parent / "arm.glb").write_text("glTF")
+    collada.write_text(collada.read_text().replace("arm.dae", file))
+    content, needed, (fault,) = self_contained(collada)
+    assert (fault.reason.key, fault.place.line, needed) == (key, 2, ())
+    assert b'file="missing.obj"' in content

@@ -5,6 +5,7 @@ the frame of their mesh, whatever its file says of up, and so do the viewers tha
 """
 
 import warnings
+from functools import lru_cache
 from importlib.util import find_spec
 from io import BytesIO
 from typing import Any
@@ -14,8 +15,12 @@ import numpy.typing as npt
 
 from onika.words.reason import Reason
 
+ENDING = ".dae"
 EXTRA = "collada"
 """What is installed to read them: `pip install 'onika[collada]'`."""
+
+_KEPT = 16
+"""Meshes that are made once: the files of a world are gathered whenever a plan is made."""
 
 Corners = npt.NDArray[np.float64]
 
@@ -25,6 +30,7 @@ def can_read() -> bool:
     return find_spec("collada") is not None
 
 
+@lru_cache(_KEPT)
 def obj_of(content: bytes) -> bytes:
     """The triangles of all its shapes, where its scene has them; raises ValueError where there are none to be read."""
     import collada  # it is heavy, and seldom wanted

@@ -11,9 +11,10 @@ from hashlib import sha256
 from pathlib import Path
 from xml.parsers import expat
 
+from onika.store import collada_mesh
 from onika.store.opened_text import Faults
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 from onika.words.system_error import system_reason
 
 MISSING = "missing"
@@ -22,6 +23,8 @@ MISSING = "missing"
 LARGEST = 64 * 2**20
 """Bytes of the largest file that a model may need."""
 
+_MESHES = (".stl", ".obj", ".msh", "")
+"""Kinds of meshes that MuJoCo reads."""
 _DIRECTORIES = ("meshdir", "texturedir", "assetdir")
 _NAMED_BY_FILE = ("mesh", "texture", "hfield", "skin")
 """Elements that are called by their file where they have no name."""
@@ -139,9 +142,27 @@ class _Model:
             return MISSING + file.suffix
         if content is None:
             return MISSING + file.suffix
-        name = sha256(content).hexdigest()[:32] + file.suffix.lower()
+        suffix = file.suffix.lower()
+        if element.tag == "mesh" and suffix not in _MESHES:
+            content, suffix = self._converted(element, path, file, content), ".obj"
+            if content is None:
+                return MISSING + suffix
+        name = sha256(content).hexdigest()[:32] + suffix
         self.needed.setdefault(name, Needed(name, file, content))
         return name
+
+    def _converted(self, element: _Element, path: Path, file: Path, content: bytes) -> bytes | None:
+        """A mesh of a kind that MuJoCo does not read as one in OBJ; None where it cannot be, with what would help."""
+        try:
+            if file.suffix.lower() != collada_mesh.ENDING:
+                raise ValueError(Reason.of("store.mesh_kind", file=file.name))
+            if not collada_mesh.can_read():
+                raise ValueError(Reason.of("store.collada_extra", file=file.name, extra=collada_mesh.EXTRA))
+            return collada_mesh.obj_of(content)
+        except ValueError as wrong:
+            instead = Reason.of("store.made_of_it_left_out", tag=element.tag)
+            self.faults.append(Fault(Place(str(path), element.line), reason_of(wrong), instead))
+            return None
 
     def _found(self, tag: str, value: str) -> Path | None:
         """The file that a name means: in the folder that the model says, of a package in one above."""
