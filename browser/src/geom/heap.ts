@@ -15,35 +15,38 @@ export class Heap {
 
   push(cost: number, state: number): void {
     if (this.size === this.states.length) this.grow()
+    const { costs, states } = this
     let i = this.size++
     while (i > 0) {
       const parent = (i - 1) >> 1
-      if (this.costs[parent] <= cost) break
-      this.costs[i] = this.costs[parent]
-      this.states[i] = this.states[parent]
+      if (costs[parent] <= cost) break
+      costs[i] = costs[parent]
+      states[i] = states[parent]
       i = parent
     }
-    this.costs[i] = cost
-    this.states[i] = state
+    costs[i] = cost
+    states[i] = state
   }
 
   /** Take out the cheapest state; the heap must not be empty. */
   pop(): number {
-    const first = this.states[0]
-    const cost = this.costs[--this.size]
-    const state = this.states[this.size]
+    const { costs, states } = this
+    const first = states[0]
+    const size = --this.size
+    const cost = costs[size]
+    const state = states[size]
     let i = 0
     for (;;) {
       let child = 2 * i + 1
-      if (child >= this.size) break
-      if (child + 1 < this.size && this.costs[child + 1] < this.costs[child]) child++
-      if (this.costs[child] >= cost) break
-      this.costs[i] = this.costs[child]
-      this.states[i] = this.states[child]
+      if (child >= size) break
+      if (child + 1 < size && costs[child + 1] < costs[child]) child++
+      if (costs[child] >= cost) break
+      costs[i] = costs[child]
+      states[i] = states[child]
       i = child
     }
-    this.costs[i] = cost
-    this.states[i] = state
+    costs[i] = cost
+    states[i] = state
     return first
   }
 

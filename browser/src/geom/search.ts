@@ -13,6 +13,7 @@ export class Search {
 
   private costs = new Float64Array(8192)
   private from = new Int32Array(8192)
+  private left = new Uint8Array(8192) // states that were left by the cheapest way: what else leads there is dearer
   private readonly heap = new Heap()
 
   /** The corners of the way from `start`, which is left horizontally, to `goal`; null where there is none. */
@@ -21,8 +22,9 @@ export class Search {
     const [w, h] = [xs.length, ys.length]
     const size = w * h
     this.reserve(2 * size)
-    const { costs, from, heap } = this
+    const { costs, from, left, heap } = this
     costs.fill(Infinity, 0, 2 * size)
+    left.fill(0, 0, 2 * size)
     heap.clear()
     this.enclosed = true
 
@@ -40,6 +42,7 @@ export class Search {
       if (cost >= costs[next] - 1e-9) return
       costs[next] = cost
       from[next] = state
+      left[next] = 0
       heap.push(cost + rest(i, j, vertical), next)
     }
 
@@ -48,6 +51,8 @@ export class Search {
     heap.push(0, first)
     while (!heap.empty) {
       const state = heap.pop()
+      if (left[state]) continue
+      left[state] = 1
       const n = state >= size ? state - size : state
       if (n === last) return this.corners(grid, state, size)
       const i = n % w
@@ -74,5 +79,6 @@ export class Search {
     if (this.costs.length >= states) return
     this.costs = new Float64Array(2 * states)
     this.from = new Int32Array(2 * states)
+    this.left = new Uint8Array(2 * states)
   }
 }
