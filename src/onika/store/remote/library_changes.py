@@ -20,7 +20,7 @@ class LibraryChanges:
     altered: tuple[str, ...] = ()
     gone: tuple[str, ...] = ()
     further: Mapping[str, Agreement] | None = None
-    """What tasks that were there write and touch beyond what was agreed to."""
+    """What tasks write and touch beyond what was agreed to; new ones, beyond what any task of it was allowed."""
 
     @property
     def is_empty(self) -> bool:
@@ -34,9 +34,18 @@ def changes(locked: LockedLibrary, index: LibraryIndex) -> LibraryChanges:
     came = tuple(sorted(now.keys() - locked.files.keys()))
     went = tuple(sorted(locked.files.keys() - now.keys()))
     altered = tuple(sorted(path for path in now.keys() & locked.files.keys() if now[path] != locked.files[path]))
-    more = further(locked.agreed, declared(index))
-    known = {name: agreement for name, agreement in more.items() if name in locked.agreed}
-    return LibraryChanges(locked.version, index.version, came, altered, went, known)
+    tasks = declared(index)
+    agreed = {**dict.fromkeys(tasks, _together(locked.agreed)), **locked.agreed}
+    return LibraryChanges(locked.version, index.version, came, altered, went, further(agreed, tasks))
+
+
+def _together(agreed: Mapping[str, Agreement]) -> Agreement:
+    """What a task may write and touch that is new here: what the library's tasks were allowed, taken together."""
+    of_all = agreed.values()
+    return Agreement(
+        frozenset(svar for agreement in of_all for svar in agreement.writes),
+        frozenset(device for agreement in of_all for device in agreement.touches),
+    )
 
 
 def files_of(index: LibraryIndex) -> Mapping[str, LockedFile]:
