@@ -2184,6 +2184,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.none_installed": "ninguno instalado",
   "host.none_is_open": "no hay ninguno abierto",
   "host.none_prepared": "no hay ningún plan preparado",
+  "host.none_there": "ninguno",
   "host.not_answered": "un runtime no responde a {request}",
   "host.not_by_hand": "no hay ningún subsistema {subsystem} llevado a mano",
   "host.not_held": "no se retiene ninguna ejecución de esta sesión",

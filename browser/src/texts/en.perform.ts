@@ -19,7 +19,7 @@ export const enPerform = {
     'When the runtime does not hear this environment any more: a cut cable, a computer that is off. What still runs can be taken over by somebody else, and everybody can stop it.',
   'perform.other': '{name} is running. Another application runs beside it where it needs other devices.',
   'perform.goTo': 'Go to {name}',
-  'perform.follows': '{n} {n:plural:fault follows|faults follow} from it',
+  'perform.follows': '{n} fault follows from it|{n} faults follow from it',
   'perform.moreFaults': 'and {n} more',
   'perform.stopped': 'Everything is stopped. Reset allows motion again.',
   'perform.reset': 'Reset',

@@ -21,7 +21,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
     'Cuando el sistema en marcha ya no oye a este entorno: un cable cortado, un ordenador apagado. Lo que aún corre puede tomarlo otro, y todos pueden pararlo.',
   'perform.other': '{name} está en marcha. Otra aplicación se ejecuta a su lado si necesita otros dispositivos.',
   'perform.goTo': 'Ir a {name}',
-  'perform.follows': 'de ello {n:plural:sigue|siguen} {n} {n:plural:fallo|fallos}',
+  'perform.follows': 'de ello sigue {n} fallo|de ello siguen {n} fallos',
   'perform.moreFaults': 'y {n} más',
   'perform.stopped': 'Todo está parado. Restablecer permite de nuevo el movimiento.',
   'perform.reset': 'Restablecer',

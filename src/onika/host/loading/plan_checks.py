@@ -101,7 +101,8 @@ def absent_devices(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list
         if isinstance(devices, Fault):
             faults.append(replace(_union(task, _no_world(devices.reason, device)), because=because))
         elif name not in devices:
-            reason = Reason.of("host.no_such_device", world=world, devices=devices, device=device)
+            there = devices or Reason.of("host.none_there")
+            reason = Reason.of("host.no_such_device", world=world, devices=there, device=device)
             faults.append(replace(_union(task, reason), because=because))
     return faults
 

@@ -2,9 +2,14 @@ import pytest
 
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import HOLE, job, joints
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge
+from onika.model.application import Application
+from onika.model.syntax import Syntax
 from onika.wire import act
 from onika.wire.view import ShowFits, ShowLoop, ShowStep, ShowTarget
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 TAG = "SYNCHTAG    meet"
 
@@ -89,6 +94,19 @@ def test_an_icon_of_another_type_than_its_trigger_says_is_taken_anew(play):  # r
     play.files.task("a", f"{text}OBJECT Joint job")
     wrong = the(faults_of(play, [job("aC")]), "its trigger")
     assert wrong.remedies[0].act == act.ExchangeIcon("a1", 1, "aC")
+
+
+def test_what_follows_from_a_fault_goes_with_it_and_a_file_of_a_workcell_is_named():  # R-B07, R-E01
+    model = Place("/lab/robot/arm.xml", 11)
+    faults = [
+        Fault(Place("/lab/module/m.rmod"), Reason.plain("no device"), NOT_RUN, because=(model,)),
+        Fault(model, Reason.plain("no joint"), Reason.plain("the robot is left out")),
+        Fault(Place("/lab/world/hall.world", 8), Reason.plain("no robot"), Reason.plain("left out"), because=(model,)),
+    ]
+    troubles = FaultViews("doc", Application("go", False, ()), Syntax((), {}), Place("go"), None)
+    (view,) = troubles.told(faults, is_of_runtime=True)
+    assert str(view.text) == "arm.xml:11: no joint; the robot is left out"
+    assert [str(reason) for reason in view.follows] == ["no device", "hall.world:8: no robot; left out"]
 
 
 def test_notes_are_warnings(play):  # R-E01

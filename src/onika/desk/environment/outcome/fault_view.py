@@ -48,6 +48,8 @@ _OF_TAGS = (
     "rules.tags_too_many",
 )
 _FITS_HERE = Reason.of("run.fits_here")
+_WAYS_ROUND = 2
+"""Consequences of which the likeliest remedy is offered beside those of their cause."""
 _OF_WHAT_IS_MISSING = ("rules.configuration_missing", "rules.application_missing", "rules.action_missing")
 
 
@@ -114,7 +116,8 @@ class FaultViews:
         together = (cause.fault, *cause.consequences)
         step = next((step for fault in together if (step := self._meant(fault))), 0)
         reason, *follows = (said(self._shown(fault, step)) for fault in together)
-        remedies = tuple(dict.fromkeys(remedy for fault in together for remedy in self._remedies(fault, step)))
+        own, *others = ([*self._remedies(fault, step)] for fault in together)
+        remedies = tuple(dict.fromkeys((*own, *(ways[0] for ways in others[:_WAYS_ROUND] if ways))))
         level: Literal["fault", "warning"] = "warning" if cause.fault.is_note else "fault"
         return FaultView(reason, level, step, remedies, is_of_runtime, tuple(dict.fromkeys(follows)))
 
