@@ -116,3 +116,12 @@ def test_the_tables_of_the_source_are_read_without_fault():  # R-H03
 def test_names_are_in_the_order_in_which_people_count():
     names = ["p10", "p2", "t1", "p1b", "p1"]
     assert sorted(names, key=folder.natural) == ["p1", "p1b", "p2", "p10", "t1"]
+
+
+def test_a_subject_that_stands_twice_in_the_table_is_not_counted_although_there_is_a_log(tmp_path):  # R-H02
+    for name in ("p1", "p2"):
+        (tmp_path / f"{name}.log").write_text(assembly(4.0))
+    (tmp_path / "subjects.csv").write_text("subject,group\np1,both\np2,words\np1,words\n")
+    study = folder.read(tmp_path)
+    assert [(subject.name, subject.group) for subject in study.subjects] == [("p2", "words")]
+    assert keys(study) == [("subjects.csv:4", "study.subject_twice")]

@@ -128,7 +128,7 @@ export const enHelp = {
     'It counts when the run is completed and one flow of the branch was carried out, the other not.',
   'tutorial.branchMiddle': 'Find out: make a branch of three flows take the middle one',
   'tutorial.branchMiddleHow':
-    'Insert another branch, of three flows with two conditions. The first condition that holds decides; try `GRIP_MEZ[0] < 0.05` behind “close the hand”, and change it until the middle one runs.',
+    'Insert another branch, of three flows with two conditions. The first condition that holds decides; try `GRIP_MEZ[0] < 0.07` behind “close the hand”, and change it until the middle one runs.',
   'tutorial.meetSee': 'See two flows that meet',
   'tutorial.meetSeeHow':
     'Open it and press Run. Two arms swing aside, and greet at the same instant, however long each took.',

@@ -132,7 +132,7 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.branchRunHow': 'Cuenta cuando la ejecución se completa y se hizo un flujo de la bifurcación y el otro no.',
   'tutorial.branchMiddle': 'Averigüe: haga que una bifurcación de tres flujos tome el del medio',
   'tutorial.branchMiddleHow':
-    'Inserte otra bifurcación, de tres flujos con dos condiciones. Decide la primera condición que se cumple; pruebe `GRIP_MEZ[0] < 0.05` detrás de «cierra la mano», y cámbiela hasta que se ejecute el del medio.',
+    'Inserte otra bifurcación, de tres flujos con dos condiciones. Decide la primera condición que se cumple; pruebe `GRIP_MEZ[0] < 0.07` detrás de «cierra la mano», y cámbiela hasta que se ejecute el del medio.',
   'tutorial.meetSee': 'Vea dos flujos que se encuentran',
   'tutorial.meetSeeHow':
     'Ábralo y pulse Ejecutar. Dos brazos se apartan y saludan en el mismo instante, tarde lo que tarde cada uno.',

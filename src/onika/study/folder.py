@@ -40,7 +40,7 @@ def read(folder: Path) -> Study:
     faults: list[Fault] = []
     rows = {row.subject: row for row in _table(folder / SUBJECTS, SUBJECTS, faults)}
     has_table = (folder / SUBJECTS).exists()
-    files = _files(folder, faults)
+    files = _of_one(_files(folder, faults), faults)
     subjects: dict[str, Subject] = {}
     for name, paths in files.items():
         if clash := _clash(folder, paths):
@@ -106,6 +106,12 @@ def _files(folder: Path, faults: list[Fault]) -> dict[str, list[Path]]:
                 if several:
                     files.setdefault(path.name, []).extend(several)
     return files
+
+
+def _of_one(files: dict[str, list[Path]], faults: list[Fault]) -> dict[str, list[Path]]:
+    """Without those of subjects that stand twice in the table: nobody knows of which of them they are."""
+    doubled = {fault.reason.args["subject"] for fault in faults if fault.reason.key == "study.subject_twice"}
+    return {name: paths for name, paths in files.items() if name not in doubled}
 
 
 def _listed(place: Path, folder: Path, faults: list[Fault]) -> list[Path]:

@@ -23,6 +23,7 @@ figure{margin:12px 0;padding:12px;background:var(--panel);border:1px solid var(-
 figcaption{font-size:12.5px;margin-top:4px}svg{display:block;max-width:100%;height:auto}
 svg text{font:12px "Inter","Segoe UI",Roboto,"Noto Sans","DejaVu Sans Condensed",system-ui,sans-serif;fill:var(--ink)}
 svg .dim{fill:var(--dim)}svg .axis{stroke:var(--dim);fill:none}svg .grid{stroke:var(--line);fill:none}
+@media screen and (max-width:560px){figure{overflow-x:auto}svg{min-width:520px}}
 details{margin:8px 0}summary{cursor:pointer;font-weight:600}nav a{margin-right:14px}a{color:var(--accent)}
 @media print{:root{color-scheme:light}body{max-width:none;padding:0;font-size:10.5pt;background:#fff}
 figure,tr,h2,h3{break-inside:avoid}h2,h3{break-after:avoid}nav{display:none}.wide{overflow:visible}
