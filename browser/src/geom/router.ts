@@ -1,7 +1,7 @@
 /** Routes of wires: horizontal and vertical lines from a pin to its locus, around the boxes (§5.3.5). */
 
 import { Grid } from './grid'
-import { cleared, PAD, type Obstacles, type Side } from './obstacles'
+import { cleared, PAD, type Obstacle, type Obstacles, type Side } from './obstacles'
 import { grown, holds, span, type Area, type Pt } from './rect'
 import { Search } from './search'
 
@@ -53,13 +53,44 @@ export class Router {
     return all && this.within(grown(all, 2 * PAD), start, goal, svar)
   }
 
+  /**
+   * Only obstacles that a way has met are laid: the cheapest way around some, where it meets no others, is the cheapest
+   * around all. So a wire through thousands of boxes is looked for among the few in its way.
+   */
   private within(region: Area, start: Pt, goal: Pt, svar: string): Pt[] | null {
-    const areas = this.obstacles
-      .blocking(region, svar)
-      .map(({ core, wide }) => cleared(cleared(wide, core, start), core, goal))
-    this.grid.lay(areas, [start, goal], region)
-    return this.search.find(this.grid, start, goal)
+    const met = new Map<Obstacle, Area>()
+    for (;;) {
+      this.grid.lay([...met.values()], [start, goal], region)
+      const way = this.search.find(this.grid, start, goal)
+      if (!way || !this.meets(way, svar, met)) return way
+    }
   }
+
+  /** Whether a way leads through obstacles that were not met so far; now they are. */
+  private meets(way: readonly Pt[], svar: string, met: Map<Obstacle, Area>): boolean {
+    const [start, goal] = [way[0], way[way.length - 1]]
+    const before = met.size
+    for (const [a, b] of sections(way))
+      for (const obstacle of this.obstacles.blocking(span([a, b]), svar)) {
+        if (met.has(obstacle)) continue
+        const area = cleared(cleared(obstacle.wide, obstacle.core, start), obstacle.core, goal)
+        if (crosses(a, b, area)) met.set(obstacle, area)
+      }
+    return met.size > before
+  }
+}
+
+/** The straight parts of a way. */
+function* sections(way: readonly Pt[]): Generator<readonly [Pt, Pt]> {
+  const corners = tidy(way)
+  for (let k = 0; k + 1 < corners.length; k++) yield [corners[k], corners[k + 1]]
+}
+
+/** Whether a straight part leads through the inside of an area. */
+function crosses(a: Pt, b: Pt, area: Area): boolean {
+  const [x0, x1] = a[0] < b[0] ? [a[0], b[0]] : [b[0], a[0]]
+  const [y0, y1] = a[1] < b[1] ? [a[1], b[1]] : [b[1], a[1]]
+  return x1 > area.x0 && x0 < area.x1 && y1 > area.y0 && y0 < area.y1
 }
 
 /** The corners alone: without points twice and without points on the way between two others. */
