@@ -8,10 +8,7 @@ import warnings
 from functools import lru_cache
 from importlib.util import find_spec
 from io import BytesIO
-from typing import Any
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from onika.words.reason import Reason
 
@@ -22,7 +19,11 @@ EXTRA = "collada"
 _KEPT = 16
 """Meshes that are made once: the files of a world are gathered whenever a plan is made."""
 
-Corners = npt.NDArray[np.float64]
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Corners = npt.NDArray[np.float64]
 
 
 def can_read() -> bool:
@@ -33,7 +34,8 @@ def can_read() -> bool:
 @lru_cache(_KEPT)
 def obj_of(content: bytes) -> bytes:
     """The triangles of all its shapes, where its scene has them; raises ValueError where there are none to be read."""
-    import collada  # it is heavy, and seldom wanted
+    import collada  # it and NumPy are heavy, and seldom wanted
+    import numpy as np
 
     try:
         with warnings.catch_warnings():
@@ -56,8 +58,10 @@ def _primitives(document: Any) -> list[Any]:
     return [primitive for shape in document.scene.objects("geometry") for primitive in shape.primitives()]
 
 
-def _triangles(primitive: Any) -> Corners:
+def _triangles(primitive: Any) -> "Corners":
     """The corners of its triangles, double[n,3,3]; of lines none."""
+    import numpy as np
+
     made = primitive.triangleset() if hasattr(primitive, "triangleset") else primitive
     if getattr(made, "vertex_index", None) is None or np.shape(made.vertex_index)[-1] != 3:
         return np.empty((0, 3, 3))
@@ -65,7 +69,9 @@ def _triangles(primitive: Any) -> Corners:
     return corners
 
 
-def _obj(triangles: Corners) -> bytes:
+def _obj(triangles: "Corners") -> bytes:
+    import numpy as np
+
     corners, numbers = np.unique(triangles.reshape(-1, 3).astype(np.float32), axis=0, return_inverse=True)
     faces = np.reshape(numbers, (-1, 3)) + 1
     rows = [f"v {x:.9g} {y:.9g} {z:.9g}" for x, y, z in corners.tolist()]
