@@ -75,8 +75,7 @@ class ClassProgram:
         options = self._options
         is_secure = options.context is not None
         port = self._listening.getsockname()[1]
-        host = options.host if options.host in options.seat.names else options.seat.names[0]
-        address = f"{'https' if is_secure else 'http'}://{bracketed(host)}:{port}/"
+        address = f"{'https' if is_secure else 'http'}://{bracketed(options.seat.names[0])}:{port}/"
 
         def on_key(key: str) -> None:
             tell(address, self.room.roster.code, f"{address}board?key={key}")

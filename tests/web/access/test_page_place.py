@@ -24,6 +24,17 @@ def test_with_certificate_key_and_a_user_the_page_is_served(certificate, users):
     assert (place.port, place.address(8420)) == (8420, "https://10.1.2.3:8420/")
 
 
+def test_the_address_is_one_for_which_the_certificate_is(certificate):  # R-X25, R-F10
+    def address(listen, *names):
+        place, _ = judged(PageOptions(listen, *certificate, names=names), 8420, needs_users=False)
+        return place.address(8420)
+
+    assert address("127.0.0.1", "localhost") == "https://localhost:8420/"
+    assert address("10.1.2.3", "robot.example", "localhost") == "https://localhost:8420/"
+    assert address("127.0.0.1", "robot.example") == "https://127.0.0.1:8420/"
+    assert address("10.1.2.3", "robot.example") == "https://robot.example:8420/"  # for none of them
+
+
 def keys(wanted):
     place, faults = judged(wanted, 8420, {"XDG_STATE_HOME": "/nowhere"})
     assert place is None

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from onika.files.state.access import ANYTHING, STRANGERS, Access, guard
 from onika.link.address import bracketed, split_host
-from onika.web.access.certificate import server_context
+from onika.web.access.certificate import is_for, server_context
 from onika.web.access.page_users import PageUserFile, users_path
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
@@ -34,7 +34,7 @@ class PageOptions:
 
 @dataclass(frozen=True, slots=True)
 class PagePlace:
-    """Where the page is served, by what, and to whom."""
+    """Where the page is served, by what, and to whom; `names`: first the one for which its certificate is."""
 
     host: str
     port: int
@@ -45,8 +45,7 @@ class PagePlace:
 
     def address(self, port: int) -> str:
         """As a browser names it, with the port that was really taken."""
-        host = self.names[0] if self.host in _ANY else self.host
-        return f"https://{bracketed(host)}:{port}/"
+        return f"https://{bracketed(self.names[0])}:{port}/"
 
 
 def judged(
@@ -63,7 +62,8 @@ def judged(
     if faults or context is None:
         return None, faults
     own = () if host in _ANY else (host,)
-    names = tuple(dict.fromkeys((*wanted.names, *own, socket.gethostname(), "localhost")))
+    chosen = sorted((*wanted.names, *own), key=lambda name: not is_for(context, wanted.certificate, name))
+    names = tuple(dict.fromkeys((*chosen, socket.gethostname(), "localhost")))
     return PagePlace(host, port if named is None else named, context, wanted.certificate, users, names), []
 
 
