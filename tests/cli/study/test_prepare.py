@@ -1,5 +1,8 @@
 import shlex
+import signal
 import sys
+
+import pytest
 
 from onika.cli import main
 
@@ -31,6 +34,22 @@ def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  
     log = (study / "logs" / "s1" / "a.log").read_text()
     assert log.startswith("page --upper --presentation words --window 900x700+0+0 --base ")
     assert "is ended" in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_preparation_that_is_told_to_end_ends_its_page_and_its_session(tmp_path, monkeypatch, number):  # R-H09
+    study = tmp_path / "folk"
+    main(["study", "new", str(study)])
+    page = tmp_path / "page.py"
+    page.write_text(
+        "import os, pathlib, signal; place = pathlib.Path(os.environ['HOME'], '.local/state/onika/diary')"
+        "; place.mkdir(parents=True); signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])"
+        f"; os.kill(os.getppid(), {int(number)}); (place / 'a.log').write_text(signal.sigwait([signal.SIGTERM]).name)"
+    )
+    monkeypatch.setattr(sys, "argv", [str(page)])
+    assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open"]) == 0
+    assert (study / "logs" / "s1" / "a.log").read_text() == "SIGTERM"
+    assert signal.getsignal(number) is signal.SIG_DFL
 
 
 def test_what_cannot_be_prepared_is_refused(tmp_path, capsys):  # R-H09

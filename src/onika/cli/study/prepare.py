@@ -3,9 +3,13 @@
 import argparse
 import os
 import shlex
+import signal
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 
 from onika.cli.language import say
 from onika.cli.page import window
@@ -75,21 +79,37 @@ def _print_steps() -> None:
 
 
 def _carried_through(study: Path, session: Session, words: tuple[str, ...]) -> int:
-    """The page until it is ended by Ctrl-C, then the end of the session; the exit code."""
+    """The page until it is ended by Ctrl-C, or this program by SIGTERM or SIGHUP, then the end of the session."""
     kept = {name: value for name, value in os.environ.items() if name not in _KEPT}
     command = [sys.executable, sys.argv[0], *words]
     page = subprocess.Popen(command, env={**kept, "HOME": str(session.home)})  # noqa: S603 - this very program
-    code: int | None = None
-    while code is None:
-        try:
-            code = page.wait()
-        except KeyboardInterrupt:
-            continue  # the page hears it, too
+    with _passed_on(page):
+        code: int | None = None
+        while code is None:
+            try:
+                code = page.wait()
+            except KeyboardInterrupt:
+                continue  # the page hears it, too
     ended = end(study, session.subject)
     if isinstance(ended, Reason):
         return refused(ended)
     print(say(Reason.of("cli.study_ended", subject=session.subject)))
     return 0
+
+
+@contextmanager
+def _passed_on(page: subprocess.Popen[bytes]) -> Iterator[None]:
+    """Within it SIGTERM and SIGHUP end the page, not this program: the session is still to be ended."""
+
+    def pass_on(_number: int, _frame: FrameType | None) -> None:
+        page.send_signal(signal.SIGTERM)
+
+    former = {number: signal.signal(number, pass_on) for number in (signal.SIGTERM, signal.SIGHUP)}
+    try:
+        yield
+    finally:
+        for number, handler in former.items():
+            signal.signal(number, handler)
 
 
 def refused(why: Reason) -> int:
