@@ -21,7 +21,7 @@ OPERATOR = """Open OpenInPlace Peek Close Check ListSets Note Connect AddStation
 KeepAlive SwitchTo LetGo Turn Toggle TurnGroup Clear Reinit FindRoom AskModule TellModule WriteVariable
 CheckMemory LogReadings Answer Push Reset AddUnit RecordByHand Take Release Hand Decline OnlyWatch
 WatchNoMore SteerTaken BookRobot ProlongBooking TakeBackBooking
-Run Redirect Seats FindWorlds Steer SkipTo Dismiss PutBack Preflight
+Run Redirect Seats FindWorlds Steer SkipTo Dismiss PutBack Touch Preflight
 ForeseenInstant WhatIf Teach PointAt FitTargets OpenRecording CloseRecording Recordings CompareWith
 ShareRecording SteerReplay"""
 PROGRAMMER = """New Save Reload Keep Undo Redo Place Exchange Remove Move Flip Align Arrange Show Copy Cut Paste Group

@@ -21,6 +21,7 @@ const MOVES: ReadonlySet<AnyAct['t']> = new Set([
   'SkipTo',
   'StartAnew',
   'PutBack',
+  'Touch',
 ])
 /** In a configuration that lives these change what runs. */
 const CHANGES: ReadonlySet<AnyAct['t']> = new Set([

@@ -3176,6 +3176,8 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.task_speaks": "{task} {reason}",
   "run.together": "{parts:;}",
   "run.tolerance_sign": "una tolerancia es 0 o más",
+  "run.touch_not_open": "no hay abierta ninguna célula {world}; estará en cuanto una tarea use uno de sus dispositivos",
+  "run.touch_real": "{world} es real: {part} lo pulsa una persona con la mano, no la página",
   "run.try_again": "Intentar de nuevo",
   "run.unchanged_while_running": "{name} se está ejecutando: no se cambia nada en ella hasta que termine",
   "run.undo_turns_on": "deshacer «{step}» pone de nuevo en marcha {names:and}",

@@ -20,6 +20,12 @@ export interface World {
   shapes: Shape[]
 }
 
+/** The parts that a hand may touch, in the answer to `Scene`. */
+export function partsOf(answer: unknown): string[] {
+  const parts = (answer as { parts?: unknown } | null | undefined)?.parts
+  return parts && typeof parts === 'object' ? Object.keys(parts).sort() : []
+}
+
 /** x y z and w x y z. */
 export const ROW = 7
 

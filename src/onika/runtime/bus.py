@@ -200,6 +200,8 @@ class Bus:
             "shapes": [asdict(shape) for shape in self.world.scene()],
             "parts": {name: to_builtins(takes) for name, takes in self.world.parts().items()},
         }
+        if pressed := tuple(getattr(self.world, "pressed", ())):
+            scene["pressed"] = pressed
         cameras = self._pictures.cameras
         return scene | {"cameras": cameras} if cameras else scene
 

@@ -145,6 +145,11 @@ class DrivenWorld:
         """What a hand can touch in this world, and the values that it takes."""
         return {button.name: button.takes for button in self._buttons.values()}
 
+    @property
+    def pressed(self) -> tuple[str, ...]:
+        """The parts that a hand holds pressed."""
+        return tuple(button.name for button in self._buttons.values() if button.is_pressed)
+
     def touch(self, part: str, value: float) -> None:
         """Touch a part between two steps; raises ValueError for an unknown part or a value that it does not take."""
         button = self._buttons.get(part)

@@ -151,6 +151,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Dismiss: ("dismiss_run", "appl"),
     act.StartAnew: ("start_runtime_anew", "main"),
     act.PutBack: ("put_back", "main"),
+    act.Touch: ("touch_part", "main"),
     act.OpenRecording: ("open_recording", "main"),
     act.CloseRecording: ("close_recording", "main"),
     act.CompareWith: ("compare_recording", "main"),
@@ -166,7 +167,7 @@ _BOTH = (act.Open, act.Close, act.Save, act.Reload, act.Keep, act.Undo, act.Redo
 
 _THINGS = (
     "onikon", "tasks", "task", "new", "svars", "variable", "name", "library",
-    "path", "url", "place", "values", "loci", "line",
+    "path", "url", "place", "values", "loci", "line", "part",
 )  # fmt: skip
 """The fields of acts that name what is acted upon; the first that says something counts."""
 
@@ -235,6 +236,8 @@ def _event_of(command: act.AnyAct, answer: ActAnswer) -> tuple[str, str]:
             return "turn_on_task" if command.is_on else "turn_off_task", window
         case act.TurnGroup():
             return "turn_on_group" if command.is_on else "turn_off_group", window
+        case act.Touch():
+            return "press_part" if command.is_pressed else "let_go_part", window
         case act.Show():
             return "show_locus" if command.is_shown else "hide_locus", window
     return event, window

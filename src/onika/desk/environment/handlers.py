@@ -77,6 +77,7 @@ from onika.desk.environment.runs import (
     redirection,
     restart,
     steering as steering_run,
+    touching,
 )
 from onika.desk.environment.shared import reviewed_file
 from onika.desk.environment.show import meshes, preview, scene
@@ -200,6 +201,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Dismiss: steering_run.dismiss,
     act.StartAnew: restart.start_anew,
     act.PutBack: put_back.put_back,
+    act.Touch: touching.touch,
     act.NewApplication: applications.new,
     act.ListPuzzles: puzzles.list_puzzles,
     act.BeginPuzzle: puzzles.begin_puzzle,

@@ -17,7 +17,7 @@ def station_of(model: Model, command: act.AnyAct) -> str:
     named: str = getattr(command, "station", None) or ""
     if named:
         return named
-    if isinstance(command, act.Scene):
+    if isinstance(command, act.Scene | act.Touch):
         return command.world.rpartition("/")[0]
     if isinstance(command, act.SampleVariables):
         doc = next(iter(command.variables), "").partition("/")[0]

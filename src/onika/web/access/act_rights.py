@@ -39,7 +39,8 @@ _OPERATING: frozenset[type] = frozenset(
         *(act.Answer, act.Push, act.Reset, act.AddUnit, act.RecordByHand),
         *(act.Take, act.Release, act.Hand, act.Decline, act.OnlyWatch, act.WatchNoMore, act.SteerTaken),
         *(act.BookRobot, act.ProlongBooking, act.TakeBackBooking),
-        *(act.Run, act.Redirect, act.Seats, act.FindWorlds, act.Steer, act.SkipTo, act.Dismiss, act.PutBack),
+        *(act.Run, act.Redirect, act.Seats, act.FindWorlds, act.Steer, act.SkipTo, act.Dismiss),
+        *(act.PutBack, act.Touch),
         *(act.Preflight, act.ForeseenInstant, act.WhatIf, act.Teach, act.PointAt, act.FitTargets),
         *(act.SteerReplay, act.OpenRecording, act.CloseRecording, act.Recordings, act.CompareWith, act.ShareRecording),
     )

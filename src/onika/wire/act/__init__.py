@@ -162,6 +162,7 @@ from onika.wire.act.run import (
     SkipTo as SkipTo,
     StartAnew as StartAnew,
     Steer as Steer,
+    Touch as Touch,
     WhatIf as WhatIf,
 )
 from onika.wire.act.running import (
@@ -346,6 +347,7 @@ AnyAct = (
     | Dismiss
     | StartAnew
     | PutBack
+    | Touch
     | Preflight
     | ForeseenInstant
     | WhatIf

@@ -119,6 +119,14 @@ class PutBack(Act, frozen=True):
     station: str = ""
 
 
+class Touch(Act, frozen=True):
+    """A hand presses a part of a simulated workcell, such as a panic button, or lets it go."""
+
+    world: str
+    part: str
+    is_pressed: bool
+
+
 class StartAnew(Act, frozen=True):
     """End the runtime of this environment with all that lives there, and start it again: the workcell as it was."""
 

@@ -86,6 +86,8 @@ class RuntimeView(View, frozen=True):
     """What does not stand where a program needs it, by world; told while no application runs."""
     moved: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
     """What stands elsewhere than at their start and does no harm there, as an arm does."""
+    pressed: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """By world the parts that a hand holds pressed, such as a panic button, as far as that is known here."""
     is_cut: bool = False
     """Whether nothing is heard of it at present, although it is not given up yet."""
     round_trip_ms: float = -1.0

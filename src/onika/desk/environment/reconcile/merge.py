@@ -116,6 +116,7 @@ def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeVi
         outdated={name: why for name, why in former.outdated.items() if name in standing.worlds},
         displaced=_elsewhere(standing, is_harmless=False),
         moved=_elsewhere(standing, is_harmless=True),
+        pressed={name: parts for name, parts in former.pressed.items() if name in standing.worlds},
         subsystems={subsystem.name: subsystem.application or subsystem.holder for subsystem in standing.subsystems},
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,
