@@ -79,9 +79,11 @@ def device_of(task):
         return None
     if task.module in CELL:
         return CELL[task.module](task.module)
-    if named in ("bench:lamp", "motor:lamp"):
+    if named in ("bench:lamp", "motor:lamp", "motor_pair:lamp"):
         return BenchDevice(("on_pad",), (), {"WHEN": "on_pad"})
-    sheet = next(device for device in boxes_world().devices() if f"boxes:{device.name}" == named)
+    sheet = next(
+        device for device in boxes_world().devices() if f"boxes:{device.name}" == named.replace("motor_pair:", "boxes:")
+    )
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
