@@ -49,15 +49,16 @@ export const countFitting = (
   hardware: readonly string[] = [],
 ): number => entries.filter((entry) => fits(entry, gap) && !isOfAnotherArm(entry, hardware)).length
 
-/** Less is nearer to what was typed. */
-function nearness({ name, caption }: Entry, [word]: readonly string[]): number {
+/** Less is nearer to what was typed: what is called just so, then what begins so, then by its first word alone. */
+function nearness({ name, caption }: Entry, wanted: readonly string[]): number {
+  const [word, phrase] = [wanted[0], wanted.join(' ')]
   if (!word) return 0
-  if (name.toLowerCase().startsWith(word) || caption.toLowerCase().startsWith(word)) return 0
-  return caption.toLowerCase().includes(` ${word}`)
-    ? 1
-    : caption.toLowerCase().includes(word) || name.toLowerCase().includes(word)
-      ? 2
-      : 3
+  const names = [name.toLowerCase(), caption.toLowerCase()]
+  if (names.includes(phrase)) return 0
+  if (names.some((each) => each.startsWith(phrase))) return 1
+  if (names.some((each) => each.startsWith(word))) return 2
+  if (names[1].includes(` ${word}`)) return 3
+  return names.some((each) => each.includes(word)) ? 4 : 5
 }
 
 function compared(a: readonly number[], b: readonly number[]): number {

@@ -55,6 +55,17 @@ test('words are found in names, words and types', () => {
   expect(names('nothing like it')).toEqual([])
 })
 
+test('what is called just as was typed comes first, then what begins so', () => {
+  const more = {
+    opengrip_leftC: onikon('Complete job', 'job', '0', '0', 'open the left hand'),
+    slowC: onikon('Complete job', 'job', '0', '0', 'open the hand slowly'),
+    ...onikons,
+  }
+  const all = inOrder(more, types, { '/d': { name: 'd', path: '/d', order: 0, onikons: 7 } }, 'en')
+  const order = find('Open the hand', all, more, START).map(({ name }) => name)
+  expect(order).toEqual(['opengripC', 'slowC', 'opengrip_leftC'])
+})
+
 describe('targets that were made for another arm', () => {
   const made = {
     ...onikons,
