@@ -47,9 +47,10 @@ def test_a_preparation_that_is_told_to_end_ends_its_page_and_its_session(tmp_pat
         f"; os.kill(os.getppid(), {int(number)}); (place / 'a.log').write_text(signal.sigwait([signal.SIGTERM]).name)"
     )
     monkeypatch.setattr(sys, "argv", [str(page)])
+    before = signal.getsignal(number)
     assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open"]) == 0
     assert (study / "logs" / "s1" / "a.log").read_text() == "SIGTERM"
-    assert signal.getsignal(number) is signal.SIG_DFL
+    assert signal.getsignal(number) is before
 
 
 def test_what_cannot_be_prepared_is_refused(tmp_path, capsys):  # R-H09

@@ -63,6 +63,8 @@ def test_the_library_says_what_there_is_to_use(sit):
         "jmove_modular4C",
         "jmove_modular5C",
         "jmove_motorC",
+        "jmove_motor_leftC",
+        "jmove_motor_rightC",
         "jmove_pidC",
         "jmove_rampC",
         "jmove_rightC",

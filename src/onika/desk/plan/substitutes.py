@@ -6,6 +6,7 @@ from dataclasses import replace
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.redirection import RedirectableTask, seats
 from onika.model.redirect import Redirect
+from onika.model.task import Task
 from onika.store.library import open_libraries
 from onika.store.site import Site
 from onika.words.fault import Fault
@@ -35,11 +36,17 @@ def with_substitutes(
 def _helped(fault: Fault, seat: RedirectableTask | None) -> Fault:
     if seat is None or fault.remedies:
         return fault
-    names = [
-        candidate.task.name
+    fit = [
+        candidate.task
         for candidate in seat.candidates
         if not candidate.refusals and candidate.task.name != seat.taken_by
     ]
-    return replace(
-        fault, remedies=tuple(Reason.of("desk.redirect_to", old=seat.task.name, new=name) for name in names[:_MOST])
-    )
+    fit.sort(key=lambda task: _world(task) != _world(seat.task))  # who stands in the same workcell is likelier meant
+    names = [task.name for task in fit[:_MOST]]
+    return replace(fault, remedies=tuple(Reason.of("desk.redirect_to", old=seat.task.name, new=name) for name in names))
+
+
+def _world(task: Task) -> str:
+    """The world in which its device is; nothing, where it has none."""
+    words = next((line.words for line in task.local if line.key == "DEVICE"), ())
+    return words[0].partition(":")[0] if words else ""
