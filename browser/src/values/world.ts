@@ -56,9 +56,13 @@ export const GLOW = 'glow'
 export const hasLamp = (world: World | undefined): boolean =>
   world?.shapes.some((shape) => shape.paint === GLOW) === true
 
-/** How many bodies the shapes belong to. */
+/** How many bodies there are at least: the last ones may have no shape, such as the point of a tool. */
 export const bodiesOf = (world: World): number =>
   world.shapes.reduce((most, shape) => Math.max(most, shape.body), 0) + 1
+
+/** Whether places are those of a world with so many bodies that have shapes, and none has come or gone since `before`. */
+export const areOf = (rows: Float32Array, bodies: number, before = rows.length): boolean =>
+  rows.length >= bodies * ROW && rows.length === before
 
 function fromBase64(text: string): Float32Array | undefined {
   const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))

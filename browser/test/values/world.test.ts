@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest'
-import { bodiesOf, isLit, rowsOf, worldOf, type Shape } from '../../src/values/world'
+import { areOf, bodiesOf, isLit, rowsOf, worldOf, type Shape } from '../../src/values/world'
 
 const ROWS = [1, 2, 3, 1, 0, 0, 0, 4, 5, 6, 0, 1, 0, 0]
 
@@ -24,4 +24,12 @@ it('an answer without shapes is no world', () => {
   expect(bodiesOf(worldOf({ scene: { shapes: [shape] } })!)).toBe(4)
   expect(worldOf(undefined)).toBeUndefined()
   expect(worldOf({})).toBeUndefined()
+})
+
+// R-X19: a URDF often ends with a link that is only a point.
+it('places are those of a world whose last bodies have no shape, until one comes or goes', () => {
+  const rows = Float32Array.from(ROWS)
+  expect([1, 2, 3].map((bodies) => areOf(rows, bodies))).toEqual([true, true, false])
+  expect(areOf(rows, 1, ROWS.length)).toBe(true)
+  expect(areOf(rows, 1, ROWS.length + 7)).toBe(false)
 })
