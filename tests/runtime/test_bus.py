@@ -79,6 +79,10 @@ def test_a_world_is_drawn_and_touched_by_plain_values(segment):  # R-K06
     scene = bus.scene()
     assert {shape["name"] for shape in scene["shapes"]} >= {shape.name for shape in bus.world.scene()}
     assert convert(scene["parts"], dict[str, Reason]) == dict(bus.world.parts())
+    assert scene["buttons"] == {name: list(place) for name, place in bus.world.button_places().items()}
+    assert set(scene["buttons"]) == set(scene["parts"]) == {"panic_left", "panic_right"} and "pressed" not in scene
+    bus.touch("panic_right", 1.0)
+    assert bus.scene()["pressed"] == ("panic_right",)
     assert bus.poses() == (bus.world.now_ns, bus.world.poses().tobytes(), bus.world.lit)
 
 

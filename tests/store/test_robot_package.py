@@ -31,6 +31,7 @@ def test_a_file_that_is_gone_is_told_and_the_rest_is_packed(tmp_path):  # R-X19
     mesh = '<asset><mesh name="m" file="gone.stl"/></asset><worldbody>'
     packed = package(written(tmp_path / "plain.xml", PLAIN.replace("<worldbody>", mesh)), "crane", tmp_path / "mine")
     assert len(packed.notes) == 1 and "gone.stl" in packed.notes[0].text
+    assert packed.lacks == packed.notes
 
 
 def test_a_repaired_description_stands_beside_its_meshes(tmp_path):  # R-X19
@@ -48,7 +49,7 @@ def test_a_repaired_description_stands_beside_its_meshes(tmp_path):  # R-X19
 
 
 def test_what_cannot_be_read_is_refused(tmp_path):  # R-X19
-    with pytest.raises(ValueError, match=r"."):
+    with pytest.raises(ValueError, match=r"plain\.xml:1: expected a document in XML"):
         package(written(tmp_path / "plain.xml", "hello"), "crane", tmp_path / "mine")
 
 

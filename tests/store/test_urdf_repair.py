@@ -70,3 +70,13 @@ def test_a_mesh_in_collada_that_cannot_be_read_is_left_out_and_how_it_could_be_i
     assert [note.key for note in (*broken.notes, *without.notes)] == ["store.urdf_collada_unread", "store.urdf_collada"]
     assert "pip install 'onika[collada]'" in without.notes[0].text
     assert broken.meshes == without.meshes == {}
+
+
+def test_links_that_stand_on_each_other_are_named(tmp_path):  # R-X19
+    links = "".join(f'<link name="{name}"/>' for name in "abc")
+    joints = "".join(
+        f'<joint name="{child}j" type="fixed"><parent link="{parent}"/><child link="{child}"/></joint>'
+        for parent, child in ("ab", "bc", "cb")
+    )
+    with pytest.raises(ValueError, match="b and c stand on each other|c and b stand on each other"):
+        repaired(written(tmp_path, f'<robot name="r">{links}{joints}</robot>'))

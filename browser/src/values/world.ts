@@ -18,7 +18,12 @@ export interface Shape {
 
 export interface World {
   shapes: Shape[]
+  /** Panic buttons, which have no shape. */
+  buttons?: Buttons
 }
+
+/** Where buttons stand, x y z in m, by name. */
+export type Buttons = Record<string, [number, number, number]>
 
 /** The parts that a hand may touch, in the answer to `Scene`. */
 export function partsOf(answer: unknown): string[] {
@@ -29,11 +34,16 @@ export function partsOf(answer: unknown): string[] {
 /** x y z and w x y z. */
 export const ROW = 7
 
+interface Answer {
+  shapes?: unknown
+  buttons?: Buttons
+}
+
 /** The shapes in an answer to `Scene`; undefined where there are none. */
 export function worldOf(answer: unknown): World | undefined {
-  const given = answer as { shapes?: unknown; scene?: { shapes?: unknown } } | null | undefined
+  const given = answer as (Answer & { scene?: Answer }) | null | undefined
   const shapes = given?.shapes ?? given?.scene?.shapes
-  return Array.isArray(shapes) ? { shapes: shapes as Shape[] } : undefined
+  return Array.isArray(shapes) ? { shapes: shapes as Shape[], buttons: given?.buttons } : undefined
 }
 
 /** A row for each body: given as rows, as one list of numbers, or as the bytes of float32 numbers in base64. */

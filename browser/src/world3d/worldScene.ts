@@ -33,7 +33,8 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
 import { movedBodies, posture, type Hinge, type Pose } from '../geom/chain'
 import { Handle, type Place } from './handle'
-import { placeUnder } from './picking'
+import { Knobs } from './knobs'
+import { hitUnder, placeUnder } from './picking'
 import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
 
 const ENDLESS = 30
@@ -57,6 +58,7 @@ export class WorldScene {
   private readonly camera = new PerspectiveCamera(30, 1, 0.02, 60)
   private readonly controls: OrbitControls
   private readonly handle = new Handle(this.camera)
+  private readonly knobs: Knobs
   private readonly groups: Group[]
   private readonly glows: Mesh[] = []
   private readonly meshes = new Map<string, Mesh[]>()
@@ -86,7 +88,8 @@ export class WorldScene {
     this.hinges = new Map(world.shapes.flatMap(({ body, hinge }) => (hinge ? [[body, hinge] as const] : [])))
     this.groups = Array.from({ length: this.bodies }, () => new Group())
     this.arrow.visible = false
-    this.scene.add(...this.groups, this.arrow, this.handle.ring)
+    this.knobs = new Knobs(world.buttons ?? {})
+    this.scene.add(...this.groups, this.knobs.group, this.arrow, this.handle.ring)
     for (const shape of world.shapes) this.build(shape)
     this.lights = this.light()
     this.renderer.shadowMap.enabled = true
@@ -133,10 +136,27 @@ export class WorldScene {
 
   /** The place under a point of the window; arms are looked through, for they will stand elsewhere. */
   under(clientX: number, clientY: number): ReturnType<typeof placeUnder> {
-    const { left, top, width, height } = this.canvas.getBoundingClientRect()
     const moved = movedBodies(this.hinges)
     const parts = this.groups.filter((_, body) => !moved.has(body))
-    return placeUnder(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2, this.camera, parts)
+    return placeUnder(...this.share(clientX, clientY), this.camera, parts)
+  }
+
+  /** The button under a point of the window, if nothing stands before it. */
+  buttonUnder(clientX: number, clientY: number): string | undefined {
+    const parts = [this.knobs.group, ...this.groups]
+    return this.knobs.of(hitUnder(...this.share(clientX, clientY), this.camera, parts)?.object)
+  }
+
+  /** These buttons are down. */
+  press(pressed: readonly string[]): void {
+    this.knobs.press(pressed)
+    this.draw()
+  }
+
+  /** A point of the window as shares of the picture, -1 to 1, y upwards. */
+  private share(clientX: number, clientY: number): [number, number] {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect()
+    return [((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2]
   }
 
   /** An arrow that ends at a place, along its normal; without one there is none. */
@@ -220,14 +240,13 @@ export class WorldScene {
   look(): void {
     this.isViewed = true
     const box = new Box3()
-    for (const group of this.groups.slice(1)) box.expandByObject(group)
+    for (const group of [...this.groups.slice(1), this.knobs.group]) box.expandByObject(group)
     if (box.isEmpty()) box.set(new Vector3(-1, -1, 0), new Vector3(1, 1, 1))
     const middle = box.getCenter(new Vector3())
-    const radius = box.getSize(new Vector3()).length() / 2
     const narrow = Math.min(1, this.camera.aspect)
-    const away = radius / Math.sin((this.camera.fov * Math.PI) / 360) / narrow
+    const away = distanceTo(box, middle, Math.tan((this.camera.fov * Math.PI) / 360) * narrow)
     this.controls.target.copy(middle)
-    this.camera.position.copy(middle).addScaledVector(FROM, away * 0.95)
+    this.camera.position.copy(middle).addScaledVector(FROM, away)
     this.controls.update()
     this.draw()
   }
@@ -355,6 +374,21 @@ export class WorldScene {
     glow.parent.add(lamp)
     return { sky, window, lamp }
   }
+}
+
+/** From how far a box is seen whole about its middle, where `slope` is how much a view of 1 m in depth shows each way. */
+export function distanceTo(box: Box3, middle: Vector3, slope: number): number {
+  const { min, max } = box
+  let far = 0
+  for (const x of [min.x, max.x])
+    for (const y of [min.y, max.y])
+      for (const z of [min.z, max.z]) {
+        const corner = new Vector3(x, y, z).sub(middle)
+        const depth = corner.dot(FROM)
+        const aside = Math.sqrt(Math.max(0, corner.lengthSq() - depth * depth))
+        far = Math.max(far, depth + aside / slope)
+      }
+  return far
 }
 
 /** Whether every body has a direction: rows that nobody has filled yet are all zero. */

@@ -200,6 +200,9 @@ class Bus:
             "shapes": [asdict(shape) for shape in self.world.scene()],
             "parts": {name: to_builtins(takes) for name, takes in self.world.parts().items()},
         }
+        button_places = getattr(self.world, "button_places", None)
+        if button_places is not None:
+            scene["buttons"] = {name: list(place) for name, place in button_places().items()}
         if pressed := tuple(getattr(self.world, "pressed", ())):
             scene["pressed"] = pressed
         cameras = self._pictures.cameras

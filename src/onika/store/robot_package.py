@@ -2,12 +2,12 @@
 
 import os
 from collections.abc import Iterable, Mapping, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from onika.store.model_file import Needed, self_contained
-from onika.store.urdf_repair import repaired
+from onika.store.urdf_repair import ABSENT, repaired
 from onika.wire.world_source import WorldFile, WorldSource, digest_of
 from onika.words.reason import Reason
 
@@ -24,6 +24,7 @@ class RobotPackage:
     source     the same as something that is sent, without a world and a description
     origins    where the files that it needs were read, by their names in `source`
     notes      what was repaired, or is lacking
+    lacks      the files that are not there
     """
 
     file: str
@@ -31,6 +32,7 @@ class RobotPackage:
     source: WorldSource
     origins: Mapping[str, Path]
     notes: tuple[Reason, ...]
+    lacks: tuple[Reason, ...] = ()
 
 
 def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset()) -> RobotPackage:
@@ -42,18 +44,18 @@ def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset())
         return _urdf(path, name, dropped)
     content, needed, faults = self_contained(path)
     if content is None:
-        raise ValueError(faults[0].reason)
+        raise ValueError(Reason.of("store.robot_unreadable", place=str(faults[0].place), reason=faults[0].reason))
     notes = tuple(fault.sentence for fault in faults)
     robots = (base / ROBOTS).resolve()
     if path.resolve().is_relative_to(robots):
         file = path.resolve().relative_to(robots).as_posix()
-        return _packaged(name, file, {}, (path, content), needed, notes)
+        return _packaged(name, file, {}, (path, content), needed, notes, notes)
     where = {Path(os.path.normpath(one.path)): one.path.read_bytes() for one in needed}
     where[path.resolve()] = path.read_bytes()
     root = _root(where)
     contents = {f"{ROBOTS}/{name}/{file.relative_to(root).as_posix()}": data for file, data in where.items()}
     file = f"{name}/{path.resolve().relative_to(root).as_posix()}"
-    return _packaged(name, file, contents, (path, content), needed, notes)
+    return _packaged(name, file, contents, (path, content), needed, notes, notes)
 
 
 def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:
@@ -73,11 +75,12 @@ def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:
             staged.write_bytes(data)
         content, needed, faults = self_contained(Path(folder, ROBOTS, name + _URDF))
     if content is None:
-        raise ValueError(faults[0].reason)
-    made = _packaged(name, name + _URDF, contents, (path, content), needed, repair.notes)
+        raise ValueError(Reason.of("store.robot_unreadable", place=str(faults[0].place), reason=faults[0].reason))
+    lacks = tuple(note for note in repair.notes if note.key in ABSENT)
+    made = _packaged(name, name + _URDF, contents, (path, content), needed, repair.notes, lacks)
     by_place = {Path(place).name: file for file, place in places.items()}
     origins = {one.name: by_place.get(one.path.name, one.path) for one in needed}
-    return RobotPackage(made.file, made.contents, made.source, origins, made.notes)
+    return replace(made, origins=origins)
 
 
 def _place(name: str, file: Path, is_converted: bool) -> str:
@@ -92,6 +95,7 @@ def _packaged(
     model: tuple[Path, bytes],
     needed: tuple[Needed, ...],
     notes: tuple[Reason, ...],
+    lacks: tuple[Reason, ...],
 ) -> RobotPackage:
     path, content = model
     files = (
@@ -99,7 +103,7 @@ def _packaged(
         *(WorldFile(one.name, str(one.path), one.content) for one in needed),
     )
     origins = {one.name: one.path for one in needed}
-    return RobotPackage(file, contents, WorldSource(name, digest_of(files), files), origins, notes)
+    return RobotPackage(file, contents, WorldSource(name, digest_of(files), files), origins, notes, lacks)
 
 
 def _root(files: Iterable[Path]) -> Path:

@@ -35,6 +35,10 @@ _COMPILER = {
 }
 
 
+ABSENT = ("store.urdf_no_mesh",)
+"""Notes that a file is not there."""
+
+
 @dataclass(frozen=True, slots=True)
 class UrdfRepair:
     """A repaired description: its meshes by the names that it gives them, and what was repaired.
@@ -63,6 +67,7 @@ def repaired(path: Path, dropped: Set[Path] = frozenset()) -> UrdfRepair:
         root.remove(element)
     for joint in root.findall("joint"):
         _repair_joint(joint, notes)
+    _refuse_ring(path, root)
     for named in root:
         notes += _repair_rows(named)
     moving = {child.get("link") for joint in root.findall("joint") if joint.get("type") != "fixed"
@@ -104,6 +109,27 @@ def _mended(text: str) -> Iterator[tuple[str, str]]:
     yield "store.urdf_prefixes", plain
     printable = re.sub(r"[^\x09\x0a\x0d\x20-\x7e]", "", plain)
     yield "store.urdf_characters", re.sub(r"&(?!\w+;)", "&amp;", printable)
+
+
+def _refuse_ring(path: Path, root: Element) -> None:
+    """Raises ValueError where links stand on each other in a ring."""
+    bearers = dict(_bearers(root))
+    for link in bearers:
+        ring, at = [link], bearers[link]
+        while at in bearers and at not in ring:
+            ring.append(at)
+            at = bearers[at]
+        if at == link:
+            why = Reason.of("store.urdf_root", links=tuple(ring))
+            raise ValueError(Reason.of("store.robot_unreadable", place=str(path), reason=why))
+
+
+def _bearers(root: Element) -> Iterator[tuple[str, str]]:
+    """Each link that stands on another one, with that one."""
+    for joint in root.findall("joint"):
+        parent, child = joint.find("parent"), joint.find("child")
+        if parent is not None and child is not None:
+            yield child.get("link", ""), parent.get("link", "")
 
 
 def _repair_joint(joint: Element, notes: list[Reason]) -> None:

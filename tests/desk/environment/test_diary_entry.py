@@ -65,6 +65,8 @@ def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
         (act.Show("c1", ("Q",), False), None, "hide_locus Q c1/Q Untitled-1 c1 conf"),
         (act.Turn("c1", ("a",), True), None, "turn_on_task a c1/a Untitled-1 c1 conf"),
         (act.Turn("c1", ("a",), False), None, "turn_off_task a c1/a Untitled-1 c1 conf"),
+        (act.Touch("cell", "panic", True), None, "press_part panic cell/panic cell cell main"),
+        (act.Touch("cell", "panic", False), None, "let_go_part panic cell/panic cell cell main"),
         (act.Alias("pd", "Q", "Q_2", "c1"), None, "set_alias pd pd Q=Q_2 Q lexi"),
         (act.LibraryRate("pd", 5.0), None, "set_rate pd pd none 0 lexi"),
         (act.OpenLibrary("/lab"), None, "open_lexi /lab /lab none 0 lexi"),

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.worlds.file_cells import ARM
-from kit.worlds.robot_models import STATUE
+from kit.worlds.robot_models import PLAIN, STATUE
 from onika.desk.plan.robot_files import create_robot
 from onika.store.site import open_site
 
@@ -45,4 +45,13 @@ def test_a_file_that_is_no_model_is_refused(tmp_path):  # R-X19
     for path in (tmp_path / "gone.xml", model(tmp_path, ARM, "elbow.txt"), model(tmp_path, STATUE)):
         with pytest.raises(ValueError, match=r"."):
             create_robot(path, tmp_path / "mine", SITE)
+    assert not (tmp_path / "mine").exists()
+
+
+def test_a_mesh_that_is_gone_is_told_before_what_comes_of_it(tmp_path):  # R-X19
+    rod = '<geom type="capsule" size="0.02" fromto="0.06 0 0 0.3 0 0" mass="1"/>'
+    text = PLAIN.replace(rod, '<geom type="mesh" mesh="gone" mass="1"/>')
+    text = text.replace("<worldbody>", '<asset><mesh name="gone" file="gone.stl"/></asset><worldbody>')
+    with pytest.raises(ValueError, match=r"gone\.stl, found none.*without that.*nothing was written"):
+        create_robot(model(tmp_path, text), tmp_path / "mine", SITE)
     assert not (tmp_path / "mine").exists()

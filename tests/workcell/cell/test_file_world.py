@@ -79,11 +79,15 @@ def test_it_goes_back_to_where_it_stood(world):
 def test_a_panic_button_stops_the_robots_of_its_places(world):
     world.claim("elbow_left", 1)
     world.command("elbow_left", 1, DeviceOrder.DRIVE, [0.2, 0.3, 0.0, 0.0, 0.0, 0.0])
+    assert world.pressed == ()
     world.touch("panic", 1.0)
+    assert world.pressed == ("panic",)
     assert world.state("elbow_left")[1] == world.state("elbow_right")[1] == DriveState.PRESSED
     world.stop()
     world.go_on()
     assert world.state("elbow_left")[1] == DriveState.PRESSED
+    world.touch("panic", 0.0)
+    assert world.pressed == ()
 
 
 def test_stopped_it_hears_nothing(world):

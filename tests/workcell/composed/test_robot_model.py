@@ -3,7 +3,10 @@
 import pytest
 
 from kit.worlds.file_cells import ARM, CELL, changed, files_of
-from onika.workcell.composed.robot_model import held_by_mocap, robot_model, robot_spec
+from kit.worlds.robot_models import PLAIN
+from onika.model.robot import RobotText
+from onika.wire.world_source import WorldFile, WorldSource
+from onika.workcell.composed.robot_model import compiled, held_by_mocap, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 
 URDF = """<robot name="two">
@@ -118,3 +121,12 @@ def test_a_robot_is_not_held_by_a_hand_of_the_simulator():  # R-X19
     spec = robot_spec(sources, sources.robots["elbow"])
     assert [equality.name for equality in spec.equalities] == [""]
     assert list(held_by_mocap(spec)) == []
+
+
+def test_a_motor_that_is_added_is_one_whatever_the_model_says_of_its_own_servos():  # R-X19
+    text = PLAIN.replace("<worldbody>", '<default><position kp="80" ctrlrange="-1 1"/></default><worldbody>')
+    files = WorldSource("new", "", (WorldFile("robot/new.xml", "/lab/new.xml", text.encode()),))
+    model = compiled(robot_spec(SourceTexts(files), RobotText("new", "new.xml")))
+    assert model.nu == 2
+    assert not model.actuator_biasprm.any() and (model.actuator_gainprm[:, 0] == 1.0).all()
+    assert not model.actuator_ctrllimited.any()

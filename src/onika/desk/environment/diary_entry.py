@@ -257,6 +257,8 @@ def _things(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) ->
             return command.new, f"{doc}/{command.new}", command.old, f"{doc}/{command.old}"
         case act.Undo() | act.Redo() if isinstance(answer.value, Reason):
             return *document, answer.value.text, answer.value.key
+        case act.Touch():
+            return command.part, f"{command.world}/{command.part}", command.world, command.world
         case act.Alias():
             return command.task, command.task, f"{command.pin}={command.svar}", command.pin
         case act.Paste() | act.Insert() if isinstance(answer.value, tuple):

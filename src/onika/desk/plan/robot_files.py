@@ -69,8 +69,16 @@ def _drafted(model: Path, base: Path, name: str) -> tuple[RobotPackage, RobotDra
             break
         dropped |= unusable
     if draft.refusal:
-        raise ValueError(draft.refusal)
+        raise ValueError(_refusal(model, packed, draft.refusal))
     return packed, draft
+
+
+def _refusal(model: Path, packed: RobotPackage, reason: Reason) -> Reason:
+    """Why no robot can be made; what the model lacks comes first, for the rest may follow from that."""
+    path = str(model)
+    if packed.lacks:
+        return Reason.of("desk.robot_lacks", path=path, lacks=packed.lacks, reason=reason)
+    return Reason.of("desk.robot_refused", path=path, reason=reason)
 
 
 def _guesses(draft: RobotDraft) -> tuple[Reason, ...]:

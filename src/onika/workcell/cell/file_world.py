@@ -3,7 +3,7 @@
 It is offered to a runtime under no name of its own: whoever plans with it sends its files (decision 49).
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +18,7 @@ from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason
+from onika.workcell.cell.button_places import Place, button_places
 from onika.workcell.cell.cell_devices import touched_switches, usable_lamps, usable_sensors
 from onika.workcell.cell.cell_hands import CellHands
 from onika.workcell.cell.cell_hindrance import CellHindrance
@@ -133,6 +134,11 @@ class FileWorld(DrivenWorld):
         paints = {shape: BULB for lamp in lamps for shape in lamp.shines}
         paints |= {shape: GLOW for lamp in lamps for shape in lamp.glows}
         return [replace(shape, paint=paints.get(shape.name, shape.paint)) for shape in shapes]
+
+    def button_places(self) -> Mapping[str, Place]:
+        """Where its panic buttons stand, x, y, z (m)."""
+        places = button_places(self._composition.world, self._plant.data)
+        return {name: place for name, place in places.items() if name in self._buttons}
 
     @property
     def lit(self) -> tuple[str, ...]:

@@ -32,6 +32,7 @@ from onika.workcell.composed.draft_motion import (
     seconds_between,
     straight_line,
 )
+from onika.workcell.composed.draft_units import doubtful_units
 from onika.workcell.composed.gripper_facts import GripperFacts
 from onika.workcell.composed.joint_facts import STRONGEST, JointFacts
 from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mocap, robot_model, robot_spec
@@ -129,9 +130,12 @@ def _complete(
     urdf_speeds = known.robot.file.endswith(_URDF)
     gripper = known.grippers[0] if known.grippers else None
     notes = [*chain.notes, *(Reason.of("workcell.draft_fault", reason=fault.reason) for fault in faults)]
+    notes += doubtful_units(model, arm)
     notes += _missing(model, chain, arm, sources, known.robot.file)
     notes += [Reason.of("workcell.draft_still")] if np.array_equal(away, arm.home) else []
-    notes += [Reason.of("workcell.draft_no_line")] if len(arm.joints) >= LEAST_JOINTS and not line else []
+    if not line:
+        no_line = "workcell.draft_no_line" if len(arm.joints) >= LEAST_JOINTS else "workcell.draft_few_joints"
+        notes += [Reason.of(no_line, count=len(arm.joints), least=LEAST_JOINTS)]
     notes += [Reason.of("workcell.draft_floor", floor=floor)] if floor else []
     notes += [Reason.of("workcell.draft_no_gripper")] if gripper is None else []
     notes += [hand.origin] if isinstance(hand.device, RobotAxes) else []

@@ -239,7 +239,8 @@ def _add_motors(spec: mujoco.MjSpec, *, is_hand_driven: bool) -> None:
     for joint in _moving(spec):
         if joint.name not in driven and not (is_hand_driven and joint.name.startswith(HAND)):
             actuator = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-            actuator.gainprm[0] = 1.0
+            actuator.set_to_motor()  # a model may have defaults of servos, which would pull it to 0
+            actuator.ctrllimited = False
 
 
 def _moving(spec: mujoco.MjSpec) -> Iterator[Any]:

@@ -1,0 +1,29 @@
+import pytest
+
+from kit.worlds.file_cells import CELL, files_of
+from onika.workcell.cell.file_world import FileWorld
+
+
+def places_of(text):
+    return FileWorld(files_of({**CELL, "world/cell.world": text})).button_places()
+
+
+def test_a_button_stands_at_the_right_hand_of_the_robot_that_it_stops():  # R-K06
+    world = CELL["world/cell.world"]
+    assert places_of(world) == {"panic": pytest.approx((0.0, -0.3, 0.0))}
+    second = world.replace("BUTTON", "BUTTON bell\nSTOPS right\n\nBUTTON", 1)
+    assert places_of(second)["bell"] == pytest.approx((2.0, 0.3, 0.0))  # that place is turned half round
+
+
+def test_two_buttons_of_one_place_stand_beside_each_other():  # R-K06
+    world = CELL["world/cell.world"].replace("BUTTON", "BUTTON bell\nSTOPS left\n\nBUTTON", 1)
+    assert {name: place[1] for name, place in places_of(world).items()} == {
+        "bell": pytest.approx(-0.3), "panic": pytest.approx(-0.42)}  # fmt: skip
+
+
+def test_a_button_of_a_place_on_a_part_stands_on_that_part():  # R-K06
+    world = CELL["world/cell.world"]
+    on = world.replace("AT 0 0 0 0\n", "AT 0 0 0 0\nON cube.top\n", 1)
+    (x, y, z) = places_of(on)["panic"]
+    top = FileWorld(files_of())._plant.data.site("cube.top").xpos
+    assert (x, y, z) == pytest.approx((top[0], top[1] - 0.3, top[2]), abs=0.01)
