@@ -78,5 +78,5 @@ def test_links_that_stand_on_each_other_are_named(tmp_path):  # R-X19
         f'<joint name="{child}j" type="fixed"><parent link="{parent}"/><child link="{child}"/></joint>'
         for parent, child in ("ab", "bc", "cb")
     )
-    with pytest.raises(ValueError, match="b and c stand on each other|c and b stand on each other"):
+    with pytest.raises(ValueError, match=r"b and c stand on each other|c and b stand on each other"):
         repaired(written(tmp_path, f'<robot name="r">{links}{joints}</robot>'))

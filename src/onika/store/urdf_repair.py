@@ -114,8 +114,8 @@ def _mended(text: str) -> Iterator[tuple[str, str]]:
 def _refuse_ring(path: Path, root: Element) -> None:
     """Raises ValueError where links stand on each other in a ring."""
     bearers = dict(_bearers(root))
-    for link in bearers:
-        ring, at = [link], bearers[link]
+    for link, bearer in bearers.items():
+        ring, at = [link], bearer
         while at in bearers and at not in ring:
             ring.append(at)
             at = bearers[at]

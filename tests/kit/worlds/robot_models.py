@@ -74,7 +74,8 @@ FAULTS = (
     "j1 limit: velocity '2.0 rad/s' is read as 2.0",
     "j2: a second `axis` is struck out",
     "j5 limit: effort was no number: it is left out",
-    "package://six/meshes/gone.stl is not there, nor beside the model or in a folder above it: shapes made of it are left out",
+    "package://six/meshes/gone.stl is not there, nor "
+    "beside the model or in a folder above it: shapes made of it are left out",
     "l1: its inertia is impossible; the nearest possible one stands for it",
     "meshes/l2.dae is not there, nor beside the model or in a folder above it: shapes made of it are left out",
     "l3: a shape that has no size, or is none, is left out",
