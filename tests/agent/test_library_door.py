@@ -72,6 +72,22 @@ def test_who_has_a_token_reads_the_library(ask, kept):  # R-F03
     assert ask("GET", f"/library/objects/{code.name}", "eves") == (200, code.read_bytes())
 
 
+def test_a_piece_of_the_library_is_answered_as_such(ask, kept):  # R-F03
+    index = (kept.site.folder / "library").read_bytes()
+    assert ask("GET", "/library/library", range="bytes=10-19") == (206, index[10:20])
+    assert ask("GET", "/library/library", range=f"bytes=10-{len(index) + 5}") == (206, index[10:])
+
+
+@pytest.mark.parametrize(("asked", "status"), [("bytes=9999999-99999999", 416), ("bytes=5-4", 416)])
+def test_a_piece_that_is_not_there_is_refused(ask, asked, status):  # R-F03
+    assert ask("GET", "/library/library", range=asked) == (status, b"")
+
+
+@pytest.mark.parametrize("asked", ["bytes=0-1,4-5", "bytes=-5", "bytes=5-", "lines=0-1", "bytes=0-1\n", "bytes=٣-٤"])
+def test_what_is_asked_for_in_another_way_is_the_whole(ask, kept, asked):  # R-F03
+    assert ask("GET", "/library/library", range=asked) == (200, (kept.site.folder / "library").read_bytes())
+
+
 @pytest.mark.parametrize(
     ("method", "path", "token", "status"),
     [

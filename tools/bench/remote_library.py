@@ -10,6 +10,7 @@ import argparse
 import asyncio
 import os
 import random
+import re
 import ssl
 import subprocess
 import tempfile
@@ -18,9 +19,11 @@ from contextlib import suppress
 from datetime import UTC, datetime
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
+from typing import BinaryIO
 
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.lock_file import LockFile
@@ -73,6 +76,19 @@ def make(folder: Path) -> None:
 class _Quiet(SimpleHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     disable_nagle_algorithm = True  # as every real server does: else head and body of an answer take a trip each
+
+    def send_head(self) -> BytesIO | BinaryIO | None:
+        """A file, or the piece of it that is asked for, as every real server answers it."""
+        span = re.match(r"bytes=(\d+)-(\d+)\Z", self.headers.get("Range", ""))
+        if span is None:
+            return super().send_head()
+        whole = Path(self.translate_path(self.path)).read_bytes()
+        piece = whole[int(span[1]) : int(span[2]) + 1]
+        self.send_response(206)
+        self.send_header("Content-Range", f"bytes {span[1]}-{int(span[1]) + len(piece) - 1}/{len(whole)}")
+        self.send_header("Content-Length", str(len(piece)))
+        self.end_headers()
+        return BytesIO(piece)
 
     def log_message(self, *_: object) -> None:
         """Nothing is printed."""

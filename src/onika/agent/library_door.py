@@ -1,7 +1,9 @@
 """The door of a site's library: whoever has a token reads it; who may bring code sends changed files (F03)."""
 
 import asyncio
+import re
 from collections.abc import Awaitable, Callable
+from hashlib import sha256
 
 from msgspec import DecodeError, ValidationError, json
 from starlette.requests import ClientDisconnect, Request
@@ -18,9 +20,12 @@ from onika.words.reason import Reason
 
 LARGEST = 2 * MOST_BYTES
 """Bytes of a request: what it holds is written in letters."""
+_BYTES = "application/octet-stream"
 _PATIENCE_S = 60.0
 _AT_A_TIME = 3
 """Changes that are heard at a time; others wait their turn."""
+_SPAN = re.compile(r"bytes=([0-9]{1,12})-([0-9]{1,12})\Z")
+"""What is asked for of a long file over one of several connections; whatever else is asked for is the whole file."""
 _STATUS = {ChangedMeanwhile: 409, ChangeRefused: 403}
 
 Admits = Callable[[Request], Guest | Response]
@@ -64,7 +69,14 @@ async def _file(request: Request, guest: Guest | Response, keeper: LibraryKeeper
         content = await asyncio.to_thread(file.read_bytes)
     except OSError:
         return refused(request, Reason.of("site.no_such_file"), 404)
-    return Response(content, 200, {"cache-control": "no-store"}, "application/octet-stream")
+    headers = {"cache-control": "no-store", "etag": f'"{sha256(content).hexdigest()}"'}
+    span = _SPAN.match(request.headers.get("range", ""))
+    if span is None:
+        return Response(content, 200, headers, _BYTES)
+    begin, end, size = int(span[1]), min(int(span[2]) + 1, len(content)), len(content)
+    if begin >= end:
+        return Response(status_code=416, headers={"content-range": f"bytes */{size}"})
+    return Response(content[begin:end], 206, {**headers, "content-range": f"bytes {begin}-{end - 1}/{size}"}, _BYTES)
 
 
 async def _within(request: Request, change: Awaitable[LibraryChange | Response]) -> LibraryChange | Response:

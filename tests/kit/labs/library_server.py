@@ -9,6 +9,7 @@ import base64
 import re
 import socket
 from collections.abc import Callable, Iterator
+from hashlib import sha256
 from pathlib import Path
 from threading import Event, Lock, Thread
 from typing import Self
@@ -20,8 +21,13 @@ Answer = Callable[[socket.socket], object]
 class LibraryServer:
     """Gives the files of a folder; `answers` stand before them, by paths."""
 
-    def __init__(self, folder: Path, password: str = "", delay_s: float = 0.0) -> None:
+    def __init__(
+        self, folder: Path, password: str = "", delay_s: float = 0.0, *, knows_pieces: bool = False
+    ) -> None:
         self.folder = folder
+        self.knows_pieces = knows_pieces
+        self.pieces: list[tuple[int, int]] = []
+        """From where to where pieces of files were asked for."""
         self.answers: dict[str, Answer] = {}
         self.takes: Callable[[bytes], bytes] | None = None
         """What is answered to whatever somebody sends; None: nothing is taken."""
@@ -81,10 +87,18 @@ class LibraryServer:
             connection.sendall(b"HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n")
             return
         file = self.folder / path
-        if file.is_file():
+        span = re.search(r"\r\nRange: bytes=([0-9]+)-([0-9]+)\r\n", head)
+        if span is not None and self.knows_pieces and file.is_file():
+            connection.sendall(self._piece(file.read_bytes(), int(span[1]), int(span[2]) + 1))
+        elif file.is_file():
             connection.sendall(answer(file.read_bytes()))
         else:
             connection.sendall(b"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n")
+
+    def _piece(self, content: bytes, begin: int, end: int) -> bytes:
+        with self._lock:
+            self.pieces.append((begin, end))
+        return piece(content, begin, end)
 
     def _wanted(self) -> str:
         return "Basic " + base64.b64encode(self.password.encode()).decode()
@@ -94,6 +108,14 @@ def answer(content: bytes, *, length: int | None = None, kind: str = "text/plain
     """A whole answer; `length` is what it says of itself where that is a lie."""
     size = len(content) if length is None else length
     return f"HTTP/1.1 200 OK\r\nContent-Type: {kind}\r\nContent-Length: {size}\r\n\r\n".encode() + content
+
+
+def piece(content: bytes, begin: int, end: int, *, size: int | None = None) -> bytes:
+    """A piece of a file as an answer; `size` is what it says of the whole where that is a lie."""
+    part, mark = content[begin:end], sha256(content).hexdigest()
+    whole = len(content) if size is None else size
+    head = f"HTTP/1.1 206 Partial Content\r\nContent-Length: {len(part)}\r\nETag: {mark}\r\n"
+    return f"{head}Content-Range: bytes {begin}-{begin + len(part) - 1}/{whole}\r\n\r\n".encode() + part
 
 
 def moved(location: str) -> Answer:

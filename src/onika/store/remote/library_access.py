@@ -126,12 +126,13 @@ class LibraryAccess:
             return place
         if isinstance(place, Path):
             return FolderSource(place).fetch(wanted)
-        self._source(place, expects_more=expects_more)
-        return self._let_in(place, lambda source: source.fetch(wanted))
+        return self._let_in(place, lambda source: source.fetch(wanted), expects_more=expects_more)
 
-    def _let_in(self, place: WebAddress, do: Callable[[WebSource], _T | Reason]) -> _T | Reason:
+    def _let_in(
+        self, place: WebAddress, do: Callable[[WebSource], _T | Reason], *, expects_more: bool = False
+    ) -> _T | Reason:
         """What is done at a server; where it wants a password, the user is asked."""
-        answer = do(self._source(place))
+        answer = do(self._source(place, expects_more=expects_more))
         for _ in range(_TRIES):
             if not isinstance(answer, Reason) or answer.key not in PASSWORD_REASONS or self._ask is None:
                 return answer
@@ -139,7 +140,7 @@ class LibraryAccess:
             if credential is None:
                 return answer
             self.let_in(place, credential)
-            answer = do(self._source(place))
+            answer = do(self._source(place, expects_more=expects_more))
         return answer
 
     def _source(self, place: WebAddress, *, expects_more: bool = False) -> WebSource:

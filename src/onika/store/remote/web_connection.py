@@ -13,6 +13,7 @@ from onika.files.state.kept_certificates import is_own, trusting_kept
 from onika.store.remote.address import WebAddress
 from onika.store.remote.credential import Credential
 from onika.store.remote.limits import Limits
+from onika.store.remote.piece import Piece, Span, size_of_whole
 from onika.store.remote.source import Wanted
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -20,6 +21,7 @@ from onika.words.system_error import system_reason
 _T = TypeVar("_T")
 _CHUNK = 65536
 _JSON = "application/json"
+_PARTIAL = 206
 _MOVED = (301, 302, 303, 307, 308)
 
 
@@ -43,11 +45,16 @@ class WebConnection:
 
     def get(self, wanted: Wanted) -> bytes | Reason:
         """A file; over a connection that the server has closed meanwhile it is asked for once more."""
-        was_open = self._connection is not None
-        answer = self._guarded(wanted.path, lambda: self._asked(wanted))
-        if isinstance(answer, Reason) and was_open and answer.key == "store.server_gone":
-            return self._guarded(wanted.path, lambda: self._asked(wanted))
-        return answer
+        return self._again_where_gone(wanted.path, lambda: self._asked(wanted))
+
+    def piece(self, wanted: Wanted, span: Span) -> Piece | Reason:
+        """Some bytes of a file, asked for as a whole file is; all of them from a server that knows no pieces."""
+        return self._again_where_gone(wanted.path, lambda: self._piece(wanted, span))
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a question need not wait for a connection."""
+        return self._connection is not None
 
     def post(self, path: str, body: bytes, most: int) -> bytes | Reason:
         """Send something once; what is answered in JSON, whatever its status. It is never sent on elsewhere."""
@@ -69,6 +76,13 @@ class WebConnection:
             ours.close()
         if connection is not None:
             connection.close()
+
+    def _again_where_gone(self, path: str, do: Callable[[], _T | Reason]) -> _T | Reason:
+        was_open = self.is_open
+        answer = self._guarded(path, do)
+        if isinstance(answer, Reason) and was_open and answer.key == "store.server_gone":
+            return self._guarded(path, do)
+        return answer
 
     def _guarded(self, path: str, do: Callable[[], _T | Reason]) -> _T | Reason:
         """What is done, or why not, at the latest when the time is over."""
@@ -113,11 +127,32 @@ class WebConnection:
         return connection
 
     def _asked(self, wanted: Wanted) -> bytes | Reason:
+        response = self._found(wanted)
+        return response if isinstance(response, Reason) else self._answer(response, wanted)
+
+    def _piece(self, wanted: Wanted, span: Span) -> Piece | Reason:
+        response = self._found(wanted, span)
+        if isinstance(response, Reason):
+            return response
+        mark = response.headers.get("ETag", "") or response.headers.get("Last-Modified", "")
+        if response.status != _PARTIAL:
+            content = self._answer(response, wanted)
+            return content if isinstance(content, Reason) else Piece(content, len(content), mark)
+        size = size_of_whole(span, response.headers.get("Content-Range", ""))
+        if size is None:
+            return Reason.of("store.server_garbled", host=self._address.host)
+        if size > wanted.most:
+            return Reason.of("store.answer_large", path=wanted.path, most=wanted.most)
+        content = self._body(response, Wanted(wanted.path, min(span.end, size) - span.begin))
+        return content if isinstance(content, Reason) else Piece(content, size, mark)
+
+    def _found(self, wanted: Wanted, span: Span | None = None) -> http.client.HTTPResponse | Reason:
+        """The answer of the place to which the server sends us in the end."""
         target = self._address.below(wanted.path)
         for _ in range(self._limits.redirects + 1):
-            response = self._response(target)
+            response = self._response(target, span=span)
             if response.status not in _MOVED:
-                return self._answer(response, wanted)
+                return response
             self._body(response, Wanted(wanted.path, _CHUNK))
             moved = self._address.redirected(target, response.headers.get("Location", ""))
             if isinstance(moved, Reason):
@@ -137,7 +172,9 @@ class WebConnection:
             return answer
         return Reason.of("store.takes_no_changes", host=self._address.host, status=response.status)
 
-    def _response(self, target: str, body: bytes | None = None) -> http.client.HTTPResponse:
+    def _response(
+        self, target: str, body: bytes | None = None, span: Span | None = None
+    ) -> http.client.HTTPResponse:
         connection = self._connected()
         connection.putrequest("GET" if body is None else "POST", target, skip_host=True, skip_accept_encoding=True)
         connection.putheader("Host", self._address.authority)
@@ -145,6 +182,8 @@ class WebConnection:
         connection.putheader("User-Agent", "onika")
         if self._credential is not None and self._address.keeps_secrets:
             connection.putheader("Authorization", self._credential.header)
+        if span is not None:
+            connection.putheader("Range", span.header)
         if body is not None:
             connection.putheader("Content-Type", _JSON)
             connection.putheader("Content-Length", str(len(body)))
