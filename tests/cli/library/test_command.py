@@ -115,6 +115,22 @@ def test_a_library_is_fetched_whole_and_removed(site, tmp_path, capsys):  # R-F0
     assert not list((tmp_path / "cache").rglob("wink.rmod"))
 
 
+def test_what_was_changed_in_the_cache_is_named_when_it_is_fetched_anew(site, tmp_path, capsys):  # R-X16
+    published(site)
+    added(site)
+    main(["library", "fetch"])
+    for kept in (tmp_path / "cache/onika/objects").rglob("*"):
+        if kept.is_file() and kept.read_text(errors="replace") == WINK_CODE:
+            kept.write_text(WINK_CODE.replace("1 - ", "7 - "))
+    main(["library", "list"])
+    assert "1 file to fetch" in capsys.readouterr().out
+    assert main(["library", "fetch"]) == 0
+    shown = capsys.readouterr()
+    assert "module/wink.py" in shown.err and "changed in the cache" in shown.err
+    assert main(["library", "list"]) == 0
+    assert "0 files to fetch" in capsys.readouterr().out
+
+
 def test_another_key_is_trusted_by_hand(site, tmp_path, capsys):  # R-X16
     published(site)
     added(site)

@@ -21,9 +21,7 @@ Answer = Callable[[socket.socket], object]
 class LibraryServer:
     """Gives the files of a folder; `answers` stand before them, by paths."""
 
-    def __init__(
-        self, folder: Path, password: str = "", delay_s: float = 0.0, *, knows_pieces: bool = False
-    ) -> None:
+    def __init__(self, folder: Path, password: str = "", delay_s: float = 0.0, *, knows_pieces: bool = False) -> None:
         self.folder = folder
         self.knows_pieces = knows_pieces
         self.pieces: list[tuple[int, int]] = []

@@ -78,6 +78,28 @@ def test_a_program_whose_code_cannot_be_fetched_is_told_and_not_run(tmp_path, si
     ]
 
 
+def test_code_that_was_changed_in_the_cache_is_told_and_fetched_anew_or_not_run(tmp_path, site):  # R-X16
+    libraries = taken(tmp_path, site)
+    libraries.fetch(libraries.listed()[0][0])
+    honest = (site.base / "module/wink.py").read_bytes()
+    objects = (tmp_path / "cache/onika/objects").rglob("*")
+    kept = next(path for path in objects if path.is_file() and path.read_bytes() == honest)
+    for is_there in (True, False):
+        kept.write_bytes(honest.replace(b"1 - ", b"7 - "))
+        if not is_there:
+            site.folder.rename(tmp_path / "gone")
+        search_path = fetching(here(tmp_path), libraries)
+        assert [fault.reason.key for fault in search_path.faults_of_checkouts] == ["store.kept_altered"]
+        types, _ = search_path.syntax()
+        path = search_path.application_file("evening")
+        assert types is not None and path is not None
+        program, faults = load(path, search_path, types)
+        if is_there:
+            assert program is not None and program.code["wink"].read_bytes() == honest and faults == ()
+        else:
+            assert [fault.reason.key for fault in faults if not fault.is_note] == ["store.code_not_fetched"]
+
+
 def test_a_lock_at_fault_leaves_everything_else_as_it_is(tmp_path, site):  # R-X16
     taken(tmp_path, site)
     (tmp_path / "home/onika/onika.lock").write_text("VERSION 2.0\nLIBRARY wings\n")

@@ -3,7 +3,9 @@ import pytest
 from onika.store.remote.piece import Piece, Span, joined, shares, size_of_whole
 
 
-@pytest.mark.parametrize(("size", "begin", "count"), [(100, 10, 6), (11, 10, 6), (10, 10, 6), (17, 10, 6), (1000, 0, 1)])
+@pytest.mark.parametrize(
+    ("size", "begin", "count"), [(100, 10, 6), (11, 10, 6), (10, 10, 6), (17, 10, 6), (1000, 0, 1)]
+)
 def test_shares_are_all_that_is_left_once(size, begin, count):  # R-F03
     spans = shares(size, begin, count)
     assert len(spans) <= count

@@ -142,8 +142,38 @@ def test_a_tampered_cache_is_noticed_and_put_right(libraries, tmp_path):  # R-X1
     for kept in (tmp_path / "cache/onika/objects").rglob("*"):
         if kept.is_file():
             kept.write_bytes(b"altered")
-    assert [fault.reason.key for fault in checkout.put_right()] == ["store.library_not_here"]
+    assert [fault.reason.key for fault in checkout.put_right()] == ["store.index_altered"]
     assert not code.exists()
+
+
+def kept_code(tmp_path, code: bytes) -> Path:
+    """The object of the cache that holds this code."""
+    objects = (tmp_path / "cache/onika/objects").rglob("*")
+    return next(path for path in objects if path.is_file() and path.read_bytes() == code)
+
+
+def test_an_object_of_the_cache_that_was_changed_is_told_and_fetched_anew(libraries, tmp_path):  # R-X16
+    libraries.fetch(locked(libraries))
+    checkout = libraries.checkout(locked(libraries))
+    code = checkout.folder / "module/wink.py"
+    honest = code.read_bytes()
+    kept = kept_code(tmp_path, honest)
+    kept.write_bytes(honest.replace(b"1 - ", b"7 - "))  # as long as before
+    assert checkout.altered() == ("module/wink.py",)
+    assert [fault.reason.key for fault in checkout.put_right()] == ["store.kept_altered"]
+    assert not is_fetched(code)
+    assert not libraries.fetch(locked(libraries))
+    assert kept.read_bytes() == honest == code.read_bytes()
+    assert checkout.altered() == checkout.put_right() == ()
+
+
+def test_an_object_of_the_cache_that_was_changed_is_not_all_of_it_here_offline(libraries, site, tmp_path):  # R-X16
+    libraries.fetch(locked(libraries))
+    honest = (site.base / "module/wink.py").read_bytes()
+    kept_code(tmp_path, honest).write_bytes(honest[::-1])
+    site.folder.rename(tmp_path / "gone")
+    assert libraries.fetch(locked(libraries)).key == "store.not_fetched"
+    assert not is_fetched(libraries.checkout(locked(libraries)).folder / "module/wink.py")
 
 
 def test_files_of_two_versions_are_not_mixed(libraries, site):  # R-X16

@@ -12,7 +12,6 @@ from onika.store.remote.source import Wanted
 from onika.store.remote.web_source import CONNECTIONS, WebSource
 from onika.words.reason import Reason
 
-
 LONG = bytes(range(251)) * 200
 
 

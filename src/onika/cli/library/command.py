@@ -151,6 +151,9 @@ def _fetch(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
 
 def _fetched(library: LockedLibrary, libraries: RemoteLibraries) -> Reason:
     """Have all of one library here; why that is not so, where it is not."""
+    altered = libraries.checkout(library).altered()
+    if altered:
+        print(say(Reason.of("cli.library_altered", library=library.name, paths=altered)), file=sys.stderr)
     failed = libraries.fetch(library)
     if not failed:
         print(say(Reason.of("cli.library_fetched", library=library.name, count=len(library.files))))

@@ -49,6 +49,8 @@ class Checkout:
     def index(self) -> LibraryIndex | Reason:
         """The index that is locked, from the cache."""
         content = self.cache.get(self.locked.index)
+        if content is None and self.cache.is_altered(self.locked.index):
+            return Reason.of("store.index_altered", library=self.locked.name)
         if content is None:
             return Reason.of("store.library_not_here", library=self.locked.name)
         found = reopened(content, self.locked)
@@ -74,18 +76,23 @@ class Checkout:
             make_own(folder)
             _prune(folder, wanted.keys())
             for path, file in wanted.items():
-                self._put(folder / path, file)
+                if not self._put(folder / path, file) and self.cache.is_altered(file.digest):
+                    faults.append(self._altered(path))
         except OSError as error:
             faults.append(self._fault(system_reason(error)))
         return tuple(faults)
 
+    def altered(self) -> tuple[str, ...]:
+        """The paths of files that were fetched, and that somebody has changed in the cache since."""
+        return tuple(file.path for file in self.lacking() if self.cache.is_altered(file.digest))
+
     def lacking(self) -> tuple[IndexedFile, ...]:
-        """The files that are not fetched yet."""
+        """The files that are not fetched yet, or no longer what was fetched."""
         index = self.index()
         if isinstance(index, Reason):
             return ()
         files = (file for file in index.files.values() if file.content is None)
-        return tuple(file for file in files if not self.cache.has(file.digest, file.size))
+        return tuple(file for file in files if self.cache.get(file.digest) is None)
 
     def remove(self) -> None:
         """Take the files away; what was fetched stays in the cache."""
@@ -108,12 +115,19 @@ class Checkout:
     def _left_out(self, path: str, reason: Reason) -> Fault:
         return Fault(Place(str(self.folder / path)), reason, Reason.of("words.file_left_out"), is_note=True)
 
-    def _put(self, target: Path, file: IndexedFile) -> None:
+    def _altered(self, path: str) -> Fault:
+        reason = Reason.of("store.kept_altered", path=path)
+        instead = Reason.of("store.until_fetched", library=self.locked.name)
+        return Fault(Place(str(self.folder / path)), reason, instead, is_note=True)
+
+    def _put(self, target: Path, file: IndexedFile) -> bool:
+        """Have a file there; whether it holds what it should, or what it should is not here."""
         content = file.content if file.content is not None else self.cache.get(file.digest)
+        is_here = content is not None
         if content is None:
             if target.suffix != ".py":
                 target.unlink(missing_ok=True)
-                return
+                return False
             content = _NOT_FETCHED + self.locked.name.encode() + b"\n"
         try:
             is_there = not target.is_symlink() and target.read_bytes() == content
@@ -121,6 +135,7 @@ class Checkout:
             is_there = False
         if not is_there:
             write_whole(target, content, mode=_MODE, is_lasting=False)
+        return is_here
 
     def _fault(self, reason: Reason) -> Fault:
         return Fault(Place(str(self.folder)), reason, Reason.of("words.left_out"), is_note=True)

@@ -58,12 +58,9 @@ class ObjectCache:
             with self._file(digest).open("rb") as file:
                 os.fsync(file.fileno())
 
-    def has(self, digest: str, size: int) -> bool:
-        """Whether something of that name and size is there; what it holds is looked at when it is opened."""
-        try:
-            return self._file(digest).stat().st_size == size
-        except OSError:
-            return False
+    def is_altered(self, digest: str) -> bool:
+        """Whether something is there under this SHA-256 that is no longer what was kept."""
+        return self._file(digest).is_file() and self.get(digest) is None
 
     def _file(self, digest: str) -> Path:
         return self.folder / _OBJECTS / digest[:2] / digest

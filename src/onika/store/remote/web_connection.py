@@ -172,9 +172,7 @@ class WebConnection:
             return answer
         return Reason.of("store.takes_no_changes", host=self._address.host, status=response.status)
 
-    def _response(
-        self, target: str, body: bytes | None = None, span: Span | None = None
-    ) -> http.client.HTTPResponse:
+    def _response(self, target: str, body: bytes | None = None, span: Span | None = None) -> http.client.HTTPResponse:
         connection = self._connected()
         connection.putrequest("GET" if body is None else "POST", target, skip_host=True, skip_accept_encoding=True)
         connection.putheader("Host", self._address.authority)
