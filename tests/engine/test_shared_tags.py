@@ -3,7 +3,20 @@
 import pytest
 
 from kit.plans import build
-from onika.engine.news import Agreed, BegunAlone, Cleared, Closed, Failed, Finished, Run, Settled, Spawned, TurnedOn
+from onika.engine.news import (
+    Abort,
+    Agreed,
+    BegunAlone,
+    Cleared,
+    Closed,
+    Failed,
+    Finished,
+    Killed,
+    Run,
+    Settled,
+    Spawned,
+    TurnedOn,
+)
 from onika.engine.orders import (
     Began,
     Clear,
@@ -67,6 +80,18 @@ def test_flows_wait_at_a_shared_tag_until_others_agree():  # R-E04, R-F02
     assert str(orders[-2].text) == "waits for flows of other runtimes"
     assert without_notes(made.feed(Agreed("x", 4))) == [Switch(0, (), (GRIP_ON,), (), 4)]
     assert made.positions()[0].state == "running"
+
+
+@pytest.mark.parametrize("is_ended", [False, True])
+def test_what_was_agreed_and_is_told_when_the_application_ends_begins_nothing(is_ended):  # R-E12, law 25
+    made = engine()
+    come(made)
+    killed = [order for order in made.feed(Abort(Reason.plain("enough"))) if isinstance(order, Kill)]
+    for order in killed if is_ended else ():
+        made.feed(Killed(order.flow, order.task))
+    assert made.positions()[0].state == ("ended" if is_ended else "killing")
+    assert not any(isinstance(order, Switch | Began) for order in made.feed(Agreed("x", 4)))
+    assert made.positions()[0].state == ("ended" if is_ended else "killing")
 
 
 def test_all_flows_of_this_runtime_are_convened_when_the_last_of_them_is_there():

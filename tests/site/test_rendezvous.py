@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from kit.plans.plan_builder import PlanBuilder, action
 from kit.process.meeting_runtimes import Meeting
+from onika.desk.run.run_review import Review
 from onika.wire import event, live, request, steer
 from onika.wire.plan import Do, Halt, Meet
 from onika.words.reason import Reason
@@ -218,11 +219,19 @@ def test_the_flows_of_an_application_are_given_to_two_runtimes_by_one_command(me
     token.write_text(meeting.token)
     token.chmod(0o600)
     places = [f"--at=flow{number}={runtime.url}" for number, runtime in enumerate(meeting.runtimes)]
+    file = tmp_path / "both.mcap"
     words = [sys.executable, "-c", "from onika.cli import main; main()", "run", "both_wave", *places]
-    done = subprocess.run([*words, "--token-file", str(token)], capture_output=True, text=True, timeout=90, check=False)
+    words += ["--token-file", str(token), "--record", str(file)]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=90, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert "both_wave: completed" in done.stdout
     assert "whoever begins alone is held after" in done.stdout
+    with Review(file) as review:  # R-X05
+        assert review.is_whole and review.ending["completed"] == "yes"
+        assert review.run.stations == {f"flow{number}": runtime.url for number, runtime in enumerate(meeting.runtimes)}
+        assert all(flow.intervals and flow.intervals[-1].end_s is not None for flow in review.flows)
+        written = {series.subsystem for series in review.series.values() if len(list(series.values())) > 1}
+        assert written == {"flow0", "flow1"}  # values of both runtimes
 
 
 def test_a_stop_of_one_runtime_stops_the_other(meeting):  # law 27

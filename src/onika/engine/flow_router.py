@@ -81,8 +81,12 @@ class FlowRouter:
     # With other runtimes
 
     def agreed(self, tag: str, number: int) -> list[Order]:
-        """The flows that wait at a tag for those of other runtimes begin; `number` is that of what has switched."""
-        together = self.meetings.release(tag)
+        """The flows that wait at a tag for those of other runtimes begin; `number` is that of what has switched.
+
+        What was agreed may be told when the application is being ended already: then nothing goes on.
+        """
+        waiting = self.meetings.release(tag)
+        together = [flow for flow in waiting if self._flows[flow].state not in (FlowState.KILLING, FlowState.ENDED)]
         for flow in together:
             self._flows[flow].begins_at(tag)
         return self.go_on(together, number, tag)

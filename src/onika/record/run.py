@@ -26,6 +26,7 @@ _OPTION = rf"(--shake [0-9]{{1,18}}|--world-value {WORLD_VALUE})"
 _OPTIONS = re.compile(rf"{_OPTION}( {_OPTION}){{0,40}}", re.ASCII)
 """How a runtime is started whose worlds are shaken or varied; nothing else changes what happens in virtual time."""
 _BY_HAND = "by hand"
+_STATIONS = "stations"
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
@@ -45,6 +46,9 @@ class RunRecord(Struct, frozen=True):
     """What its runtime was started with beside, which changes what happens."""
     is_by_hand: bool = False
     """Whether it is a subsystem that was held by hand: a plan of its tasks, without an action."""
+    stations: dict[str, str] = {}
+    """Where each flow was carried out, by subsystem, where that was at several runtimes; then whoever had joined them
+    wrote it, with the times at which it heard of things."""
 
     @property
     def plan_hash(self) -> str:
@@ -67,6 +71,7 @@ class RunRecord(Struct, frozen=True):
                 "options": " ".join(self.options),
                 "software": self.software,
                 **({_BY_HAND: "yes"} if self.is_by_hand else {}),
+                **({_STATIONS: msgspec.json.encode(self.stations).decode()} if self.stations else {}),
             },
         )
         writer.attach(_PLAN, "application/json", _bare(self.prepare))
@@ -108,6 +113,7 @@ class RunRecord(Struct, frozen=True):
             note.get("software", ""),
             _options(reader, note.get("options", "")),
             note.get(_BY_HAND) == "yes",
+            _stations(reader, note.get(_STATIONS, "{}")),
         )
 
 
@@ -152,6 +158,14 @@ def _options(reader: Reader, text: str) -> tuple[str, ...]:
     if not words or _OPTIONS.fullmatch(text):
         return words
     raise unfit(reader.path, Reason.of("record.options", text=text))
+
+
+def _stations(reader: Reader, text: str) -> dict[str, str]:
+    """Where flows were carried out; raises ValueError for what says nothing of that."""
+    try:
+        return msgspec.json.decode(text, type=dict[str, str])
+    except msgspec.MsgspecError as wrong:
+        raise unfit(reader.path, Reason.of("record.no_plan", why=Reason.plain(str(wrong)))) from None
 
 
 def _code(reader: Reader, digest: str, module: str, path: str) -> Code:

@@ -107,10 +107,11 @@ def _real(value: float | None) -> float:
 
 
 def _with_infinities(numbers: list[float]) -> bytes:
-    return ",".join(map(_number_text, numbers)).encode()
+    return ",".join(map(number_text, numbers)).encode()
 
 
-def _number_text(number: float) -> str:
+def number_text(number: float) -> str:
+    """A number of JSON: what has no end stands beyond every double, what is no number as null."""
     if math.isfinite(number):
         return repr(number)
     if math.isnan(number):

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import structs
 
 from onika.desk.joined import meeting_links
+from onika.desk.joined.joint_recording import JointRecording
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.plan_parts import PlanPart, parts_of
 from onika.desk.run.run import Opens
@@ -26,10 +27,13 @@ from onika.wire.plan import Plan
 from onika.wire.rendezvous_link import MeetingTerms
 from onika.wire.world_values import WorldValues
 from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason_with_place
 
 if TYPE_CHECKING:
     from onika.desk.run.remote_runtime import RemoteRuntime
 
+_RECORDED_HZ = 20.0
+"""How often values are recorded at most: every cycle of a runtime elsewhere is too much for a line."""
 _LISTS = ("tasks", "skews_us", "switches_us", "steps", "remarks")
 _TO_ALL = (request.Stop, request.Abort, live.Reset)
 
@@ -56,6 +60,8 @@ class JoinedRuntimes:
         self._results: dict[int, event.Result] = {}
         self._early: deque[tuple[int, event.Event]] = deque()
         self._ending = ExitStack()
+        self._asked: request.Prepare | None = None
+        self._recording: JointRecording | None = None
 
     def __enter__(self) -> "JoinedRuntimes":
         with ExitStack() as entering:
@@ -67,6 +73,8 @@ class JoinedRuntimes:
     def __exit__(
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if self._recording is not None:
+            self._recording.close()
         self._ending.__exit__(kind, fault, trace)
 
     @property
@@ -101,6 +109,7 @@ class JoinedRuntimes:
         return self._runtimes[self._site_of(subsystem)].ask(message)
 
     def _prepare(self, message: request.Prepare) -> request.Response:
+        self._asked = message
         self._parts = parts_of(message.plan, self._sites)
         asked = [request.Prepare(part.plan, part.targets(message.targets)) for part in self._parts]
         answers = self._ask_all(asked)
@@ -125,14 +134,26 @@ class JoinedRuntimes:
         return request.Prepared(faults, notes, resolved, worlds)
 
     def _begin(self, message: request.Begin) -> request.Response:
-        """Begin on all; where one will not, the others are aborted."""
+        """Begin on all; where one will not, the others are aborted. Nothing begins that cannot be recorded as wanted."""
+        if message.record and self._asked is not None:
+            try:
+                self._recording = JointRecording(self._asked, message, self._stations())
+            except OSError as wrong:
+                return request.Refused(Reason.of("host.no_recording", why=system_reason_with_place(wrong)))
+            self._ask_all([_heard(part) for part in self._parts])
         asked = [
-            structs.replace(message, meets=self._terms, watch=_watched(part, message.watch)) for part in self._parts
+            structs.replace(message, record="", meets=self._terms, watch=_watched(part, message.watch))
+            for part in self._parts
         ]
         refusal = self._first_refusal(self._ask_all(asked))
         if isinstance(refusal, request.Refused):
             self._ask_all([request.Abort(refusal.reason)] * len(self._runtimes))
         return refusal
+
+    def _stations(self) -> dict[str, str]:
+        """What the runtime of each flow is called."""
+        parts = zip(self._titles, self._parts, strict=True)
+        return {flow.subsystem: title for title, part in parts for flow in part.plan.flows}
 
     def _who(self) -> request.Response:
         answers = self._ask_all([steer.Who()] * len(self._runtimes))
@@ -177,15 +198,26 @@ class JoinedRuntimes:
         share_s = 0.0 if self._early else timeout_s / len(self._runtimes)
         for site, runtime in enumerate(self._runtimes):
             self._early.extend((site, message) for message in runtime.events(share_s))
+            if self._recording is not None:
+                self._recording.read(runtime.readings())
         while self._early:
             site, message = self._early.popleft()
-            if isinstance(message, event.Result):
-                self._results[site] = message
-                self._end_others(message)
-                if len(self._results) == len(self._runtimes):
-                    yield self._whole()
-            else:
-                yield self._of_whole(site, message)
+            if not isinstance(message, event.Result):
+                yield self._recorded(self._of_whole(site, message))
+                continue
+            self._results[site] = message
+            self._end_others(message)
+            if len(self._results) == len(self._runtimes):
+                yield self._recorded(self._whole())
+
+    def _recorded(self, message: event.Event) -> event.Event:
+        if self._recording is None:
+            return message
+        self._recording.hear(message)
+        if isinstance(message, event.Result) and self._recording.reason:
+            remark = Reason.of("host.recording_not_whole", why=self._recording.reason)
+            return structs.replace(message, remarks=(*message.remarks, remark))
+        return message
 
     def _end_others(self, result: event.Result) -> None:
         """Where one part was aborted the others wait for nobody."""
@@ -240,6 +272,11 @@ def opens(settings: RunSettings) -> Opens | None:
         return JoinedRuntimes(runtimes, sites, urls, [address_of(url).host for url in urls])
 
     return join
+
+
+def _heard(part: PlanPart) -> live.Attend:
+    """What a runtime is to tell for a recording: all variables of its flows, as often as a link carries them well."""
+    return live.Attend(readings=tuple(f"{flow.subsystem}/*" for flow in part.plan.flows), hz=_RECORDED_HZ)
 
 
 def _of_all(results: Sequence[event.Result], name: str) -> tuple[Any, ...]:

@@ -20,6 +20,8 @@ def digest_lines(review: Review) -> Iterator[Reason]:
         key = "desk.digest_run_virtual" if run.is_virtual else "desk.digest_run_wall"
         yield Reason.of(key, application=application, began=began, seed=seed, software=software)
     yield Reason.of("desk.digest_plan", plan=review.run.plan_hash[:16], units=" ".join(run.rtpus))
+    for flow, station in run.stations.items():
+        yield Reason.of("desk.digest_station", flow=flow, station=station)
     if review.black_box is not None:
         yield black_box_line(review.black_box, is_by_hand=run.is_by_hand)
     first, last = review.span_s

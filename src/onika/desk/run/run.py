@@ -308,7 +308,7 @@ def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
         return []
     flows, named = chiefs(plan), [flow for flow, _ in settings.places]
     locations = {location for _, location in settings.places}
-    if sorted(named) == sorted(flows) and len(locations) > 1 and not settings.is_virtual and settings.record is None:
+    if sorted(named) == sorted(flows) and len(locations) > 1 and not settings.is_virtual:
         return []
     reason = Reason.of("desk.flows_at", flows=flows, named=tuple(named))
     return [Fault(_AT, reason, Reason.of("words.nothing_run"))]
