@@ -1,4 +1,4 @@
-"""A value as a runtime tells it over a link, put into words as recordings have them; its shape is found by itself (X05)."""
+"""A value as a runtime tells it over a link, put into the words of recordings; its shape is found by itself (X05)."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -1,4 +1,4 @@
-"""The recording of a run whose flows are carried out at several runtimes: one file, written by who has joined them (X05).
+"""The recording of a run whose flows are carried out at several runtimes: one file, written by who joins them (X05).
 
 It has one clock: everything stands at the time at which it was heard here, since the run was begun here; so it comes as
 much late as the line takes. What an event itself says of its time is that of its own runtime, since it began there.
