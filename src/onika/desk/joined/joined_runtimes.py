@@ -134,7 +134,7 @@ class JoinedRuntimes:
         return request.Prepared(faults, notes, resolved, worlds)
 
     def _begin(self, message: request.Begin) -> request.Response:
-        """Begin on all; where one will not, the others are aborted. What cannot be recorded as wanted does not begin."""
+        """Begin on all; where one will not, the others are aborted. None begins where no recording can be made."""
         if message.record and self._asked is not None:
             try:
                 self._recording = JointRecording(self._asked, message, self._stations())
