@@ -22,7 +22,9 @@ def shape_of(value: Any) -> Shape | None:
         dims.append(str(len(first)))
         first = first[0]
     kind = _kind(value, first)
-    return None if kind is None else Shape(kind, tuple(dims))
+    if kind is None:
+        return None
+    return Shape(kind, tuple(dims))
 
 
 def encoded(value: Any, shape: Shape) -> bytes:
@@ -33,7 +35,9 @@ def encoded(value: Any, shape: Shape) -> bytes:
     else:
         texts = [_encode(element) for element in elements]
     inner = b",".join(texts)
-    return b'{"value":[' + inner + b"]}" if shape.dims else b'{"value":' + inner + b"}"
+    if shape.dims:
+        inner = b"[" + inner + b"]"
+    return b'{"value":' + inner + b"}"
 
 
 def _kind(value: Any, first: Any) -> ValueType | None:
@@ -41,7 +45,9 @@ def _kind(value: Any, first: Any) -> ValueType | None:
         return ValueType.STRING
     if isinstance(first, bool) or not isinstance(first, int | float):
         return None
-    return ValueType.DOUBLE if any(isinstance(element, float) for element in _elements(value)) else ValueType.LONG
+    if any(isinstance(element, float) for element in _elements(value)):
+        return ValueType.DOUBLE
+    return ValueType.LONG
 
 
 def _elements(value: Any) -> Iterator[Any]:

@@ -49,7 +49,9 @@ def size_of_whole(span: Span, header: str) -> int | None:
     if found is None:
         return None
     begin, last, size = map(int, found.groups())
-    return size if (begin, last + 1) == (span.begin, min(span.end, size)) else None
+    if (begin, last + 1) != (span.begin, min(span.end, size)):
+        return None
+    return size
 
 
 def shares(size: int, begin: int, count: int) -> Sequence[Span]:
@@ -63,4 +65,6 @@ def joined(pieces: Sequence[Piece]) -> bytes | None:
     content = b"".join(piece.content for piece in pieces)
     first = pieces[0]
     is_one = all((piece.size, piece.mark) == (first.size, first.mark) for piece in pieces)
-    return content if is_one and len(content) == first.size else None
+    if not is_one or len(content) != first.size:
+        return None
+    return content

@@ -128,7 +128,9 @@ class WebConnection:
 
     def _asked(self, wanted: Wanted) -> bytes | Reason:
         response = self._found(wanted)
-        return response if isinstance(response, Reason) else self._answer(response, wanted)
+        if isinstance(response, Reason):
+            return response
+        return self._answer(response, wanted)
 
     def _piece(self, wanted: Wanted, span: Span) -> Piece | Reason:
         response = self._found(wanted, span)
@@ -137,14 +139,18 @@ class WebConnection:
         mark = response.headers.get("ETag", "") or response.headers.get("Last-Modified", "")
         if response.status != _PARTIAL:
             content = self._answer(response, wanted)
-            return content if isinstance(content, Reason) else Piece(content, len(content), mark)
+            if isinstance(content, Reason):
+                return content
+            return Piece(content, len(content), mark)
         size = size_of_whole(span, response.headers.get("Content-Range", ""))
         if size is None:
             return Reason.of("store.server_garbled", host=self._address.host)
         if size > wanted.most:
             return Reason.of("store.answer_large", path=wanted.path, most=wanted.most)
         content = self._body(response, Wanted(wanted.path, min(span.end, size) - span.begin))
-        return content if isinstance(content, Reason) else Piece(content, size, mark)
+        if isinstance(content, Reason):
+            return content
+        return Piece(content, size, mark)
 
     def _found(self, wanted: Wanted, span: Span | None = None) -> http.client.HTTPResponse | Reason:
         """The answer of the place to which the server sends us in the end."""

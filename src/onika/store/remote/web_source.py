@@ -49,8 +49,10 @@ class WebSource:
         """All of these by their paths; at the first that does not come, nothing more is asked for."""
         fetching = _Fetching(deque(wanted))
         count = min(len(self._connections), len(fetching.waiting))
-        if count <= 1:
-            return self._alone(fetching.waiting.popleft()) if count else {}
+        if not count:
+            return {}
+        if count == 1:
+            return self._alone(fetching.waiting.popleft())
         self.expected()
         used = self._connections[:count]
         _side_by_side(Thread(target=fetching.carry_out, args=(connection,), daemon=True) for connection in used)
@@ -62,12 +64,15 @@ class WebSource:
         if wanted.most <= FIRST:
             content = first.get(wanted)
         else:
-            piece = first.piece(wanted, Span(0, FIRST))
-            content = piece if isinstance(piece, Reason) else self._completed(wanted, piece)
-        return content if isinstance(content, Reason) else {wanted.path: content}
+            content = self._completed(wanted, first.piece(wanted, Span(0, FIRST)))
+        if isinstance(content, Reason):
+            return content
+        return {wanted.path: content}
 
-    def _completed(self, wanted: Wanted, first: Piece) -> bytes | Reason:
+    def _completed(self, wanted: Wanted, first: Piece | Reason) -> bytes | Reason:
         """The file that begins with a piece; it is asked for as a whole where it was changed meanwhile."""
+        if isinstance(first, Reason):
+            return first
         if first.is_whole:
             return first.content
         pieces = [first, *self._others(wanted, first.size)]
@@ -75,7 +80,9 @@ class WebSource:
         if late is not None:
             return late
         content = joined([piece for piece in pieces if isinstance(piece, Piece)])
-        return self._connections[0].get(wanted) if content is None else content
+        if content is None:
+            return self._connections[0].get(wanted)
+        return content
 
     def _others(self, wanted: Wanted, size: int) -> Sequence[Piece | Reason]:
         """All but the first piece, at a time; a connection that is not open yet would only come later."""
