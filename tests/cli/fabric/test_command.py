@@ -1,10 +1,12 @@
 import threading
+from datetime import datetime, timedelta
 
 import pytest
 
 from kit.fabric.announced_site import AnnouncedSite
 from onika.cli import main
 from onika.cli.fabric import command
+from onika.fabric.signed_card import SignedCard, opened
 
 
 @pytest.fixture
@@ -30,6 +32,22 @@ def test_a_site_is_carded_bound_found_and_trusted(site, tmp_path, capsys):  # R-
     assert f"cmu.puma  known  {site.signer}" in said
     assert "runtime wss://robots.cmu.edu:7994  arm, hand" in said
     assert main(["fabric", "remove", str(tmp_path / "web")]) == 0
+
+
+def test_a_card_is_newer_than_the_one_before_also_after_a_clock_an_hour_ahead(site, tmp_path, monkeypatch):  # R-F06
+    class Ahead(datetime):
+        @classmethod
+        def now(cls, tz=None):
+            return datetime.now(tz) + timedelta(hours=1)
+
+    with monkeypatch.context() as wrong:
+        wrong.setattr(command, "datetime", Ahead)
+        assert carded(site, tmp_path / "card") == 0
+    former = opened((tmp_path / "card").read_bytes())
+    assert carded(site, tmp_path / "card") == 0
+    now = opened((tmp_path / "card").read_bytes())
+    assert isinstance(former, SignedCard) and isinstance(now, SignedCard)
+    assert now.card.serial == former.card.serial + 1
 
 
 def test_what_cannot_be_done_is_said_and_ends_with_one(site, tmp_path, capsys):  # R-F06

@@ -12,7 +12,7 @@ from onika.cli.fabric import listing_text
 from onika.cli.language import say
 from onika.fabric.card import OfferedRuntime, VisitingCard
 from onika.fabric.phone_book import BOOK, PhoneBook
-from onika.fabric.signed_card import bound, opened, signed
+from onika.fabric.signed_card import SignedCard, bound, opened, signed
 from onika.fabric.zenoh_program import PORT, announce, route
 from onika.files.state.state_directory import state_directory
 from onika.store.remote.object_cache import write_whole
@@ -119,9 +119,8 @@ def _card(given: argparse.Namespace) -> Reason:
                 return Reason.of("cli.library_no_key", path=str(given.next_key))
         until = now.date() + timedelta(days=max(1, min(given.days, _MOST_DAYS)))
         runtimes = tuple(map(_runtime, given.runtime))
-        card = VisitingCard(
-            given.name, int(now.timestamp()), until, given.desc, runtimes, tuple(given.library), next_key
-        )
+        serial = max(int(now.timestamp()), _former(given.to, given.name) + 1)
+        card = VisitingCard(given.name, serial, until, given.desc, runtimes, tuple(given.library), next_key)
         content = signed(card, given.key)
         seen = content if isinstance(content, Reason) else opened(content)
         if isinstance(seen, Reason) or isinstance(content, Reason):
@@ -133,6 +132,17 @@ def _card(given: argparse.Namespace) -> Reason:
     print(say(Reason.of("cli.fabric_carded", path=path, name=card.name, size=len(content), until=last)))
     print(say(Reason.of("cli.fabric_signed", signer=seen.signer)))
     return NOTHING
+
+
+def _former(path: Path, name: str) -> int:
+    """The serial of the card that stands there, which a newer one exceeds, however the clock was set meanwhile."""
+    try:
+        seen = opened(path.read_bytes())
+    except FileNotFoundError:
+        return 0
+    if isinstance(seen, SignedCard) and seen.card.name == name:
+        return seen.card.serial
+    return 0
 
 
 def _runtime(text: str) -> OfferedRuntime:
