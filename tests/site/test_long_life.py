@@ -79,7 +79,7 @@ class LongLife:
 
     def processes(self):
         pids = [self._runtime.pid, *below(self._runtime.pid)]
-        return {pid: Path(f"/proc/{pid}/cmdline").read_text().split("\0--")[0] for pid in pids}
+        return {pid: Path(f"/proc/{pid}/cmdline").read_text().replace("\0", " ").split(" --")[0] for pid in pids}
 
 
 def below(pid):

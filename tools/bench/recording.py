@@ -92,7 +92,7 @@ def _used(parent: int) -> dict[str, float]:
     found: dict[str, float] = {}
     for status in Path("/proc").glob("[0-9]*/stat"):
         try:
-            words = (status.parent / "cmdline").read_text().split("\0")
+            words = (status.parent / "cmdline").read_text().replace("\0", " ").split()
             fields = status.read_text().rpartition(") ")[2].split()
             used = (status.parent / "schedstat").read_text()
         except OSError:

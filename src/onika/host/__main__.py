@@ -1,12 +1,14 @@
-"""Starts a runtime: its loader comes up while the runtime itself is loaded, which takes longer than all else."""
+"""Starts a runtime: what its processes share is loaded first, then the rest while its loader comes up."""
 
 import argparse
+import importlib
 import os
 import secrets
 import sys
 
 from onika.host.loading.loader_start import start_loader
 from onika.host.runtime_options import options
+from onika.host.units.child_process import serve_forks
 from onika.host.units.output_pipe import open_output_pipes
 from onika.link.launcher import die_with_parent
 from onika.runtime.partner.address import OWN_NAME
@@ -16,6 +18,9 @@ from onika.words.system_error import is_used_up, system_reason
 
 _FORECAST_NICE = 19
 """A forecast takes only time that nobody else wants."""
+
+_SHARED = ("onika.host.loading.loader", "onika.host.units.device_server", "onika.host.recording.black_box_process")
+"""What the processes of a runtime need is loaded with these, once for all."""
 
 
 def main(words: list[str]) -> None:
@@ -37,7 +42,12 @@ def _begin(given: argparse.Namespace) -> None:
     os.environ[OWN_NAME] = secrets.token_hex(8)  # its processes inherit it, and no other runtime has it
     if given.forecast:
         os.nice(_FORECAST_NICE)
+    for name in _SHARED:
+        importlib.import_module(name)
+    fork_server = serve_forks()
     loader_start = start_loader(stays_inside=given.forecast)
+    if fork_server is not None and not given.virtual:  # in virtual time there are no units
+        fork_server.preload()
     try:
         from onika.host.runtime_process import run  # within: the loader comes up meanwhile
     except BaseException:

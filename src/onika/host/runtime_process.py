@@ -36,8 +36,8 @@ from onika.host.sessions.request_server import RequestServer
 from onika.host.sessions.site_clock import SiteClock
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.garbage import Garbage
+from onika.host.units.preloaded_libraries import preload
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
-from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world

@@ -69,6 +69,11 @@ class RuntimeProcess:
         """Whether it runs."""
         return self._ended(0.0) is None
 
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the operating system holds it, so that it does nothing."""
+        return guard.is_stopped(self._pid)
+
     def wait(self, timeout_s: float) -> int | None:
         """Its exit code, negative for the signal that ended it; None when it still runs after the time-out."""
         code = self._ended(timeout_s)
@@ -106,7 +111,7 @@ class RuntimeProcess:
         """
         self.carrier.close()
         guard.wake(self._guard.pid)
-        code = self._ended(0.0 if guard.is_stopped(self._pid) else grace_s)
+        code = self._ended(0.0 if self.is_stopped else grace_s)
         if code is None:
             return self.kill()
         self._leave_nothing()

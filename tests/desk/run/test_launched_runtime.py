@@ -2,6 +2,7 @@ import os
 import signal
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -49,6 +50,12 @@ def test_a_runtime_that_does_not_answer_stop_is_ended():  # R-E10, law 27
         os.kill(runtime.pid, signal.SIGSTOP)
         runtime.ask(request.Stop(Reason.plain("enough")))
     assert lost.value.reason.key == "link.frozen"
+
+
+@pytest.mark.parametrize(("is_stopped", "said"), [(True, "link.frozen"), (False, "link.caught_in_call")])
+def test_one_that_the_system_holds_in_a_call_is_called_frozen_all_the_same(is_stopped, said):  # R-E10
+    child = SimpleNamespace(is_stopped=is_stopped, last_words=SimpleNamespace(task="flow0/puma"))
+    assert room._unanswered(child).key == said
 
 
 def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, reading 1

@@ -184,8 +184,3 @@ def test_it_ends_with_the_runtime_and_turns_its_tasks_off(unit):  # laws 17, 30
 def test_words_of_a_unit_travel():
     assert room.decode_news(room.encode([UnitReady({"SCHED_FIFO": True})])) == [UnitReady({"SCHED_FIFO": True})]
     assert room.decode_command(room.encode(Share("table:flow0"))) == Share("table:flow0")
-
-
-def test_a_library_that_is_missing_is_no_fault_until_a_module_needs_it(monkeypatch):  # law 21
-    monkeypatch.setattr(room, "PRELOADED", ("nothing_like_it", "json"))
-    room.preload()

@@ -63,8 +63,9 @@ class LaunchedRuntime(RuntimeConversation):
         except TimeoutError:
             if not isinstance(message, request.Stop | request.Abort):
                 raise
+            why = _unanswered(self._child)
             self._child.kill()
-            raise LinkLost(LossCause.SILENT, _frozen(self._child.last_words)) from None
+            raise LinkLost(LossCause.SILENT, why) from None
 
     def __enter__(self) -> "LaunchedRuntime":
         try:
@@ -153,8 +154,9 @@ def _ended(code: int, last_words: LastWords | None) -> Reason:
     return Reason.of("link.ended_with_code", code=code, during=during)
 
 
-def _frozen(last_words: LastWords | None) -> Reason:
-    task = "" if last_words is None else last_words.task
+def _unanswered(child: RuntimeProcess) -> Reason:
+    """Why it does not answer: the system holds it, wherever it was just then, or a call does not return."""
+    task = "" if child.last_words is None or child.is_stopped else child.last_words.task
     if task:
         return Reason.of("link.caught_in_call", seconds=_STOP_PATIENCE_S, task=task)
     return Reason.of("link.frozen", seconds=_STOP_PATIENCE_S)

@@ -1,9 +1,8 @@
 """The start of the loader process: little has to be loaded for it, so that the loader comes up beside its runtime."""
 
-import subprocess
 from typing import NamedTuple
 
-from onika.host.units.child_process import start
+from onika.host.units.child_process import ChildProcess, start
 from onika.host.units.process_socket import ProcessSocket
 
 
@@ -11,7 +10,7 @@ class LoaderStart(NamedTuple):
     """A loader process that was started: the runtime's end of its socket, and the process."""
 
     post: ProcessSocket
-    process: "subprocess.Popen[bytes]"
+    process: ChildProcess
 
     def end(self) -> None:
         """End the process."""

@@ -244,8 +244,9 @@ class WriterProcess:
 
     def _judge(self) -> None:
         now = monotonic_ns()
-        if self._process.poll() is not None:
-            self.reason = Reason.of("host.writer_ended", code=self._process.returncode)
+        code = self._process.poll()
+        if code is not None:
+            self.reason = Reason.of("host.writer_ended", code=code)
         elif self._is_frozen(now):
             self.reason = Reason.of("host.writer_frozen")
             self._end()

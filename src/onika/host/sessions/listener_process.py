@@ -12,7 +12,7 @@ from msgspec import Struct, msgpack
 
 from onika.host.sessions.admission import from_near
 from onika.host.sessions.listen_options import ListenerSettings
-from onika.host.units.child_process import start
+from onika.host.units.child_process import ChildProcess, start
 from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
@@ -62,7 +62,7 @@ class ListenerProcess:
     def __init__(self, listening: ListenerSettings) -> None:
         self._listening = listening
         self._post, theirs = ProcessSocket.pair()
-        self._process: subprocess.Popen[bytes] = start("onika.host.sessions.listener_main", theirs)
+        self._process: ChildProcess = start("onika.host.sessions.listener_main", theirs)
         self._post.send(encode(listening))
         self._awake_ns = 0
         self.address = ""

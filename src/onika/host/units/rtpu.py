@@ -1,8 +1,6 @@
 """One RTPU as a process: an executive in one thread, woken by its own grid or by a command."""
 
 import argparse
-import contextlib
-import importlib
 import select
 import signal
 import socket
@@ -19,15 +17,13 @@ from onika.host.guards.memory_limit import bound
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.preloaded_libraries import preload
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import become_real_time
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.execution.executive import Executive
-
-PRELOADED = ("numpy", "mujoco", "ruckig")
-"""Big libraries that modules use; importing them later would cost missed cycles (law 21)."""
 
 _LONGEST_SLEEP_S = 0.02
 
@@ -189,13 +185,6 @@ def _may_wait(message: news.News) -> bool:
         case news.Finished():
             return message.switched > 0
     return False
-
-
-def preload() -> None:
-    """Import the big libraries that are installed."""
-    for name in PRELOADED:
-        with contextlib.suppress(ImportError):  # a module that needs it will say so
-            importlib.import_module(name)
 
 
 def main(words: list[str]) -> None:

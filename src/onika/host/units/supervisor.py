@@ -1,11 +1,10 @@
 """The supervisor: starts the runtime's real-time processes, hears their heartbeats, ends the ones that fail."""
 
-import subprocess
 from collections.abc import Collection
 from dataclasses import dataclass
 from time import monotonic_ns
 
-from onika.host.units.child_process import start
+from onika.host.units.child_process import ChildProcess, start
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import ProcessSocket
 from onika.process.guard import is_stopped
@@ -35,7 +34,7 @@ class Supervised:
     name: str
     post: ProcessSocket
     heartbeat: Heartbeat
-    process: "subprocess.Popen[bytes]"
+    process: ChildProcess
     title: Reason
     """What it is called where it is named to people."""
     is_up: bool = False

@@ -1,0 +1,13 @@
+"""Big libraries that modules use; importing them later would cost missed cycles (law 21)."""
+
+import contextlib
+import importlib
+
+PRELOADED = ("numpy", "mujoco", "ruckig")
+
+
+def preload() -> None:
+    """Import those that are installed."""
+    for name in PRELOADED:
+        with contextlib.suppress(ImportError):  # a module that needs it will say so
+            importlib.import_module(name)
