@@ -31,7 +31,7 @@ def main(words):
 
 RUNTIME = """
 import os, signal, socket, subprocess, sys, time
-from onika.host.units.fork_server import Begin, ForkServer
+from onika.host.units.fork_server import BeginProcess, ForkServer
 
 secret = os.open("/dev/zero", os.O_RDONLY)
 server = ForkServer()
@@ -39,7 +39,7 @@ server = ForkServer()
 def begin(word, own_group=False, number=40):
     ours, theirs = socket.socketpair()
     words = ("--fd", str(number), "--word", word)
-    process = server.begin(Begin("telling", words, (number,), own_group), (theirs.fileno(),))
+    process = server.begin(BeginProcess("telling", words, (number,), own_group), (theirs.fileno(),))
     theirs.close()
     return ours, process
 

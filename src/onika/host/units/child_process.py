@@ -6,7 +6,7 @@ import subprocess
 import sys
 from typing import Protocol
 
-from onika.host.units.fork_server import Begin, ForkServer
+from onika.host.units.fork_server import BeginProcess, ForkServer
 from onika.link.launcher import ONE_THREAD, UNDRAWN
 
 
@@ -63,7 +63,7 @@ def start(
     """
     words = ("--fd", str(end.fileno()), "--parent", str(os.getpid()), *arguments)
     passed = (end.fileno(), *descriptors)
-    forked = _forked(Begin(module, words, passed, own_group))
+    forked = _forked(BeginProcess(module, words, passed, own_group))
     process = forked or subprocess.Popen(  # noqa: S603 - our own code, no shell
         [sys.executable, "-m", module, *words],
         stdin=subprocess.DEVNULL,
@@ -75,7 +75,7 @@ def start(
     return process
 
 
-def _forked(order: Begin) -> ChildProcess | None:
+def _forked(order: BeginProcess) -> ChildProcess | None:
     """The process as a copy; None where nobody makes copies, or does no more: then each is started by itself."""
     forked = _fork_servers[0].begin(order, order.numbers) if _fork_servers else None
     if forked is None:

@@ -43,7 +43,7 @@ class Preload(Struct, frozen=True, tag=True):
     """Load the big libraries: whoever is begun later has them."""
 
 
-class Begin(Struct, frozen=True, tag=True):
+class BeginProcess(Struct, frozen=True, tag=True):
     """Begin this module with these words; the descriptors that come along get these numbers in the new process."""
 
     module: str
@@ -52,15 +52,15 @@ class Begin(Struct, frozen=True, tag=True):
     own_group: bool
 
 
-class Begun(Struct, frozen=True, tag=True):
+class ProcessBegun(Struct, frozen=True, tag=True):
     """The id of the process that was begun."""
 
     pid: int
 
 
 _encode = msgpack.Encoder().encode
-_decode_order = msgpack.Decoder(Preload | Begin).decode
-_decode_begun = msgpack.Decoder(Begun).decode
+_decode_order = msgpack.Decoder(Preload | BeginProcess).decode
+_decode_answer = msgpack.Decoder(ProcessBegun).decode
 
 
 class ForkServer:
@@ -81,7 +81,7 @@ class ForkServer:
         with contextlib.suppress(OSError):  # it is gone: the next one who begins a process finds out
             self._control.send(_encode(Preload()))
 
-    def begin(self, order: Begin, descriptors: Sequence[int]) -> ForkedProcess | None:
+    def begin(self, order: BeginProcess, descriptors: Sequence[int]) -> ForkedProcess | None:
         """Begin a process; None where the server does not do it: then it has been ended."""
         with _adopting():
             try:
@@ -110,12 +110,12 @@ class ForkServer:
                 return False
         return True
 
-    def _answer(self) -> Begun | None:
+    def _answer(self) -> ProcessBegun | None:
         try:
             body = self._control.recv(_LARGEST, socket.MSG_DONTWAIT)
         except OSError:
             return None
-        return _decode_begun(body) if body else None
+        return _decode_answer(body) if body else None
 
 
 @contextlib.contextmanager
@@ -149,10 +149,10 @@ def _serve(control: socket.socket, runtime: int) -> None:
             preload()
             gc.freeze()
         else:
-            control.send(_encode(Begun(_begin(order, descriptors, runtime))))
+            control.send(_encode(ProcessBegun(_begin(order, descriptors, runtime))))
 
 
-def _begin(order: Begin, descriptors: Sequence[int], runtime: int) -> int:
+def _begin(order: BeginProcess, descriptors: Sequence[int], runtime: int) -> int:
     """Copy the server by way of a process that ends at once, so that the runtime becomes the parent of the copy."""
     told, tells = os.pipe()
     goes_on, go_on = os.pipe()
@@ -176,7 +176,7 @@ def _begin(order: Begin, descriptors: Sequence[int], runtime: int) -> int:
 # In the process that was begun
 
 
-def _become(order: Begin, descriptors: Sequence[int]) -> None:
+def _become(order: BeginProcess, descriptors: Sequence[int]) -> None:
     entitle(" ".join((order.module, *order.words)))
     if order.own_group:
         os.setsid()
