@@ -32,7 +32,7 @@ assemble: $(VENV)/.installed ## assemble the four boxes, without the page
 page: | $(VENV)/.installed ## build the page, if its sources changed
 	@$(BIN)/python hatch_build.py
 
-# Node looks at the page beside what Python looks at.
+# Node looks at the page beside what Python looks at, in three processes: each uses one processor most of the time.
 check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file: a minute
 	@$(SIDE_BY_SIDE) \
 	  '$(BIN)/ruff check' \
@@ -45,7 +45,9 @@ check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file
 	  '$(BIN)/python tools/generate.py --check' \
 	  '$(BIN)/python tools/licences.py --check' \
 	  '$(BIN)/python tools/bench/check.py' \
-	  --behind '$(BIN)/python hatch_build.py check test'
+	  --behind '$(BIN)/python hatch_build.py check' \
+	  --behind '$(BIN)/python hatch_build.py lint' \
+	  --behind '$(BIN)/python hatch_build.py test'
 
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
 	$(BIN)/python tools/audit.py --venv $(AUDIT)

@@ -1,9 +1,9 @@
-"""Carries out commands side by side: those in front one after another, and one behind them, which gets what they leave.
+"""Carries out commands side by side: those in front one after another, and others behind, which get what they leave.
 
-Usage: python tools/side_by_side.py COMMAND [COMMAND ...] --behind COMMAND
+Usage: python tools/side_by_side.py COMMAND [COMMAND ...] --behind COMMAND [--behind COMMAND ...]
 
-Each is a line for the shell. Those in front wait for much, and meet the machine's clock; the one behind only computes,
-and gives way to them. What those in front print is shown as it comes, what the one behind prints when all have ended.
+Each is a line for the shell. Those in front wait for much, and meet the machine's clock; those behind only compute,
+all at once, and give way. What those in front print is shown as it comes, what those behind print when all have ended.
 All are carried out, also where one fails; then this ends with 1, and the last lines of what failed come once more: who
 reads only the end of the output sees why.
 """
@@ -14,12 +14,13 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Iterable, Sequence
 from typing import IO, cast
 
 GIVES_WAY = 10
-"""How nice the one behind is: where there is no more than one processor for all, it gets a tenth."""
+"""How nice one behind is: where there is no more than one processor for all, it gets a tenth."""
 
 _LAST_LINES = 40
 """So many of what failed are shown once more at the end."""
@@ -34,26 +35,61 @@ def main(words: Sequence[str]) -> int:
     """Carry them out, and say how long each took."""
     parser = argparse.ArgumentParser(description="commands side by side")
     parser.add_argument("front", nargs="+", metavar="COMMAND", help="in front, one after another")
-    parser.add_argument("--behind", required=True, metavar="COMMAND", help="behind them")
+    parser.add_argument("--behind", required=True, action="append", metavar="COMMAND", help="behind them, all at once")
     asked = parser.parse_args(words)
     signal.signal(signal.SIGTERM, _leave)
-    begun_s = time.monotonic()
     failed: dict[str, list[str]] = {}
-    with tempfile.TemporaryFile() as output:
-        behind = _begin_behind(asked.behind, output)
-        try:
-            for command in asked.front:
-                failed |= _carry_out(command)
-            behind.wait()
-        finally:
-            _end(behind)
-            last_lines = _show(asked.behind, output)
-        print(f"{asked.behind}: {time.monotonic() - begun_s:.0f} s, behind the others", flush=True)
-    if behind.returncode:
-        failed[asked.behind] = last_lines
+    behind = [_Behind(command) for command in asked.behind]
+    try:
+        for command in asked.front:
+            failed |= _carry_out(command)
+        for each in behind:
+            each.wait()
+    finally:
+        for each in behind:
+            failed |= each.end()
     for command, lines in failed.items():
         print(f"\nfailed: {command}", *lines, sep="\n", flush=True)
     return int(bool(failed))
+
+
+class _Behind:
+    """One that was begun behind the others."""
+
+    def __init__(self, command: str) -> None:
+        self._command = command
+        self._output = tempfile.TemporaryFile()  # noqa: SIM115 - it stays open until all is shown
+        self._begun_s = time.monotonic()
+        self._took_s = 0.0
+        self._process = subprocess.Popen(
+            ["nice", "-n", str(GIVES_WAY), "sh", "-c", f"{_GIVE_WAY}; {command}"],
+            stdin=subprocess.DEVNULL,
+            stdout=self._output,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        self._watcher = threading.Thread(target=self._watch)
+        self._watcher.start()
+
+    def wait(self) -> None:
+        """Until it has ended."""
+        self._watcher.join()
+
+    def end(self) -> dict[str, list[str]]:
+        """End it where it is there still, since somebody has had enough; show it; its last lines, if it failed."""
+        if self._watcher.is_alive():
+            os.killpg(self._process.pid, signal.SIGKILL)
+            self.wait()
+        print(self._command, flush=True)
+        with self._output as output:
+            output.seek(0)
+            last_lines = _pass_on(output)
+        print(f"{self._command}: {self._took_s:.0f} s, behind the others", flush=True)
+        return {self._command: last_lines} if self._process.returncode else {}
+
+    def _watch(self) -> None:
+        self._process.wait()
+        self._took_s = time.monotonic() - self._begun_s
 
 
 def _carry_out(command: str) -> dict[str, list[str]]:
@@ -75,29 +111,6 @@ def _pass_on(pieces: Iterable[bytes]) -> list[str]:
         sys.stdout.flush()
         kept = b"\n".join((kept + piece).split(b"\n")[-_LAST_LINES - 1 :])
     return kept.decode(errors="replace").splitlines()
-
-
-def _begin_behind(command: str, output: IO[bytes]) -> "subprocess.Popen[bytes]":
-    return subprocess.Popen(
-        ["nice", "-n", str(GIVES_WAY), "sh", "-c", f"{_GIVE_WAY}; {command}"],
-        stdin=subprocess.DEVNULL,
-        stdout=output,
-        stderr=subprocess.STDOUT,
-        start_new_session=True,
-    )
-
-
-def _end(behind: "subprocess.Popen[bytes]") -> None:
-    """Where it is still there, because somebody has had enough of all."""
-    if behind.poll() is None:
-        os.killpg(behind.pid, signal.SIGKILL)
-        behind.wait()
-
-
-def _show(command: str, output: IO[bytes]) -> list[str]:
-    output.seek(0)
-    print(command, flush=True)
-    return _pass_on(output)
 
 
 def _leave(_number: int, _frame: object) -> None:

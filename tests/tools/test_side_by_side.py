@@ -55,6 +55,15 @@ def test_who_is_behind_is_there_at_once_and_gives_way(capfd, tmp_path):
     assert f"\n{min(19, os.nice(0) + side_by_side.GIVES_WAY)} True\n" in output
 
 
+def test_those_behind_are_there_at_once_and_are_shown_one_after_another(capfd, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    words = ("--behind", f"echo gives; echo hello > {tmp_path}/pipe", "--behind", f"cat {tmp_path}/pipe; exit 1")
+    code, output = carried_out(capfd, "true", *words)  # one after another would wait for ever
+    assert code == 1
+    assert output.index("gives\n") < output.index("hello\n")
+    assert output.rstrip().endswith(f"failed: {words[3]}\nhello")
+
+
 def test_with_it_ends_who_is_behind(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     words = [sys.executable, side_by_side.__file__, f"cat {tmp_path}/pipe", "--behind"]
