@@ -16,9 +16,13 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+if sys.platform != "win32":
+    import fcntl
 
 if find_spec("hatchling"):
     from hatchling.builders.hooks.plugin.interface import BuildHookInterface
@@ -68,12 +72,18 @@ class Page:
         return _stamp(self.built) == self._digest(*SOURCES)
 
     def build(self) -> None:
-        """Build unless that was done; the stamp is written last, so a build that fails is repeated."""
+        """Build unless that was done; the stamp is written last, so a build that fails is repeated.
+
+        Of two at once the second waits for the first, and finds everything done.
+        """
         if self.current:
             return
-        digest = self._digest(*SOURCES)  # of before: what is edited meanwhile is built the next time
-        self.run("build")
-        (self.built / ".stamp").write_text(digest)
+        with self._alone():
+            if self.current:
+                return
+            digest = self._digest(*SOURCES)  # of before: what is edited meanwhile is built the next time
+            self.run("build")
+            (self.built / ".stamp").write_text(digest)
 
     def run(self, script: str) -> None:
         """Run one script of package.json."""
@@ -83,6 +93,16 @@ class Page:
             self._npm(npm, "ci", "--no-audit", "--no-fund")
             (self.sources / "node_modules" / ".stamp").write_text(wanted)
         self._npm(npm, "run", script)
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Nobody else builds meanwhile; on Windows two must not be begun at once."""
+        if sys.platform == "win32":
+            yield
+            return
+        with self.sources.joinpath("index.html").open() as locked:
+            fcntl.flock(locked, fcntl.LOCK_EX)
+            yield
 
     def _npm(self, npm: list[str], *words: str) -> None:
         """Quiet when it goes well; otherwise everything npm said, beneath what was asked of it."""

@@ -1,8 +1,10 @@
 """The hook that builds the page, with a Node that only notes what it is asked."""
 
+import os
 import runpy
 import shutil
 import stat
+import threading
 from pathlib import Path
 
 import pytest
@@ -72,6 +74,19 @@ def test_a_page_is_built_once(house, page):
     assert commands(house) == ["ci --no-audit", "run build"]
     page.build()
     assert commands(house) == []
+
+
+def test_of_two_who_build_at_once_the_second_waits_and_finds_everything_done(house, page):
+    os.mkfifo(house / "pipe")
+    (house / "tools" / "cat").symlink_to(shutil.which("cat"))
+    _script(house / "tools" / "npm", NPM + f'[ "$1" = ci ] && cat {house}/pipe\nexit 0\n')
+    both = [threading.Thread(target=page.build) for _ in range(2)]
+    for each in both:
+        each.start()
+    (house / "pipe").write_text("go on")  # until the first has fetched what it needs, and builds
+    for each in both:
+        each.join()
+    assert commands(house) == ["ci --no-audit", "run build"]
 
 
 @pytest.mark.parametrize("name", ["index.html", "src/main.ts", "src/new.svelte", "vite.config.ts"])
