@@ -262,7 +262,7 @@ def test_local_runs_go_on_when_the_porter_is_killed(monkeypatch, tmp_path):
 def porter_of(pid):
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
-            words = path.read_bytes().split(b"\0")
+            words = path.read_bytes().replace(b"\0", b" ").split()
             if b"onika.host.sessions.listener_main" in words and str(pid).encode() in words:
                 return int(path.parent.name)
     raise AssertionError("there is no porter")

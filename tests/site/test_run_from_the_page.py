@@ -216,7 +216,7 @@ def test_a_question_is_answered_in_mid_run(page):  # R-D16, R-E15
 
 
 def test_a_question_offers_where_the_arm_stands(page):  # R-C13, R-E15
-    doc = page.open([*pause("first", 8), job("jmoveC", "Odd job")])
+    doc = page.open([*pause("first", 60), job("jmoveC", "Odd job")])
     page.do(act.Run(doc))
     page.until(lambda: "jtraj" in page.environment.model.libraries.sheets)
     page.do(act.Steer("next"))

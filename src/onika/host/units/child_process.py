@@ -57,11 +57,11 @@ def start(
     *,
     own_group: bool = False,
 ) -> ChildProcess:
-    """Start `python -m module --fd N --parent PID arguments`; `end` is closed here, the descriptors are inherited.
+    """Start `python -m module arguments --fd N --parent PID`; `end` is closed here, the descriptors are inherited.
 
     A process that executes modules has a group of its own: one that ends its group ends nobody else.
     """
-    words = ("--fd", str(end.fileno()), "--parent", str(os.getpid()), *arguments)
+    words = (*arguments, "--fd", str(end.fileno()), "--parent", str(os.getpid()))
     passed = (end.fileno(), *descriptors)
     forked = _forked(BeginProcess(module, words, passed, own_group))
     process = forked or subprocess.Popen(  # noqa: S603 - our own code, no shell

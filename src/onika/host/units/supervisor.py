@@ -112,7 +112,7 @@ class Supervisor:
         """Start one; it says when it is up. People are told of it as of `title`; one that has modules is a group."""
         segment = Segment.create(f"beat-{name}", SIZE)
         ours, theirs = ProcessSocket.pair()
-        words = ("--beat-fd", str(segment.fd), "--zero", str(self._zero), *arguments)
+        words = (*arguments, "--beat-fd", str(segment.fd), "--zero", str(self._zero))
         fifo = ("--fifo",) if self._with_fifo else ()
         process = start(module, theirs, words + fifo, (segment.fd,), own_group=has_modules)
         self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
