@@ -1,3 +1,7 @@
+import os
+import subprocess
+import sys
+
 import pytest
 
 from onika.cli import commands, page
@@ -141,3 +145,46 @@ def test_what_names_no_station_is_told(began, capsys, words):  # R-X01
     with pytest.raises(SystemExit):
         commands.carry_out([*words, "--no-browser"])
     assert "expected" in capsys.readouterr().err and not began
+
+
+VISITS = "import sys, urllib.request; urllib.request.urlopen(sys.argv[1].removeprefix('--app=')).read()"
+
+
+@pytest.fixture
+def page_in_a_window(tmp_path):
+    """The page, whose window a browser shows that is this program of Python."""
+
+    def begun(browser):
+        chromium = tmp_path / "bin" / "chromium"
+        chromium.parent.mkdir()
+        chromium.write_text(f'#!/bin/sh\nexec {sys.executable} -c "{browser}" "$@"\n')
+        chromium.chmod(0o755)
+        words = ("page", "--port", "0", "--no-connect", "--window", "900x700", "--ends-with-window")
+        found = {"PATH": f"{chromium.parent}:{os.environ['PATH']}", "DISPLAY": ":0", "HOME": str(tmp_path)}
+        command = [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())", *words]
+        return subprocess.Popen(command, env={**os.environ, **found}, stdout=subprocess.PIPE, text=True)
+
+    return begun
+
+
+@pytest.mark.site
+def test_the_page_ends_when_its_window_is_closed(page_in_a_window):  # R-H09
+    program = page_in_a_window(VISITS)
+    said, _ = program.communicate(timeout=60)
+    assert "The window is closed" in said
+    assert program.returncode == 130  # as after Ctrl-C
+
+
+@pytest.mark.site
+def test_a_browser_that_never_came_to_the_page_does_not_end_it(page_in_a_window):  # R-H09
+    program = page_in_a_window("")
+    with program, program.stdout:
+        assert any("before it came to the page" in line for line in program.stdout)
+        assert program.poll() is None
+        program.terminate()
+
+
+def test_only_a_window_can_be_waited_for(began, capsys):
+    with pytest.raises(SystemExit):
+        commands.carry_out(["page", "--ends-with-window"])
+    assert "--window" in capsys.readouterr().err

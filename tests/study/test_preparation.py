@@ -6,7 +6,7 @@ import pytest
 
 from kit.study.log_text import assembly
 from onika.study import folder, kit
-from onika.study.preparation import Session, end, prepare
+from onika.study.preparation import Session, end, planned, prepare
 from onika.words.reason import Reason
 
 
@@ -72,6 +72,28 @@ def test_a_session_whose_page_is_open_is_neither_ended_nor_put_away(study):  # R
         assert prepare(study, "s2").key == "study.session_open"
         assert not (study / "sessions" / "s2").exists()
     assert len(end(study, "s1")) == 1
+
+
+def test_a_session_in_which_nothing_was_done_is_taken_back(study):  # R-H09
+    prepare(study, "s1")
+    assert end(study, "s1").key == "study.taken_back"
+    assert end(study, "s1").key == "study.no_diary"
+    assert isinstance(prepare(study, "s1"), Session)
+
+
+def test_programs_of_a_session_without_a_diary_stay(study):  # R-H09
+    session = prepare(study, "s1")
+    (session.home / "programs" / "appl" / "mine.appl").write_text("mine")
+    assert end(study, "s1").key == "study.programs_alone"
+    assert (session.home / "programs" / "appl" / "mine.appl").read_text() == "mine"
+    assert prepare(study, "s1").key == "study.session_there"
+
+
+def test_what_is_planned_touches_nothing(study):  # R-H09
+    used(prepare(study, "s1"))
+    assert planned(study, "s2").variant == "both"
+    assert not (study / "sessions" / "s2").exists()
+    assert not (study / "logs").exists()
 
 
 def test_what_the_browser_of_a_session_kept_goes_with_its_end(study):  # R-H09

@@ -1,3 +1,5 @@
+import threading
+
 import pytest
 
 from onika.web import page_window
@@ -36,6 +38,13 @@ def test_the_page_gets_its_size_its_place_and_a_browser_that_keeps_nothing_of_ot
     assert command[:2] == (str(chromium), "--app=http://127.0.0.1:1/?key=a")
     assert {"--window-size=900,700", "--window-position=40,8", f"--user-data-dir={tmp_path / 'kept'}"} <= {*command}
     assert PageWindow(900, 700).open("http://127.0.0.1:1/", tmp_path / "kept")
+
+
+def test_who_opens_a_window_learns_that_it_was_closed(chromium, tmp_path):  # R-H09
+    closed = threading.Event()
+    assert PageWindow(900, 700).open("http://127.0.0.1:1/", tmp_path / "kept", closed.set)
+    assert closed.wait(30)
+    assert (tmp_path / "told").exists()  # by then it has come to its end
 
 
 def test_where_no_browser_is_nothing_is_opened(tmp_path, monkeypatch):  # R-H09

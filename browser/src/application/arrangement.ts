@@ -4,6 +4,7 @@
  */
 
 import { BAND, onikonWidth } from '../geom/jigsaw'
+import { moved, Sheet } from './sheet'
 
 /** What stands in a row and is no step of the application. */
 export const START = 0
@@ -19,6 +20,8 @@ export const LANE_END = -5
 /** From the side of a branch to its lanes. */
 export const FORK = 34
 const LANE_LABEL = 8
+/** What the condition of the first lane of a branch needs above its row: nothing of the row before stands there. */
+const CONDITION = 18
 
 export interface Known {
   /** Whether it stays with the step before it: the target of an action, or the hole for it. */
@@ -73,6 +76,8 @@ export interface Block {
   y: number
   readonly w: number
   readonly h: number
+  /** The room that conditions take above its row. */
+  readonly above: number
   readonly lanes: Lane[]
 }
 
@@ -81,6 +86,8 @@ export interface Lane {
   readonly path: string
   x: number
   y: number
+  /** How far above its row its condition stands: above those of a branch with which it begins. */
+  readonly above: number
   endX: number
   endY: number
 }
@@ -91,6 +98,8 @@ export interface Wrap {
   y: number
   left: number
   next: number
+  /** The room that conditions take above the next row. */
+  readonly above: number
 }
 
 export interface Arrangement {
@@ -117,51 +126,13 @@ export function arrange(content: Content, frame: Frame, opened?: Place): Arrange
   let y = TOP
   for (const path of content.tops) {
     const flow = laying.flow(path, frame.width - 2 * MARGIN, false)
+    y += flow.above
     sheet.take(flow, MARGIN, y)
     heads.push({ path, y, bottom: y + flow.h })
     y += flow.h + rowGap(frame) + HEAD
   }
   return { ...sheet, heads, height: y }
 }
-
-class Sheet {
-  readonly cells: Cell[] = []
-  readonly gaps: Gap[] = []
-  readonly blocks: Block[] = []
-  readonly wraps: Wrap[] = []
-  w = 0
-  h = 0
-
-  /** Put another one on this one. */
-  take(other: Sheet, dx: number, dy: number): void {
-    const move = (at: { x: number; y: number }): void => {
-      at.x += dx
-      at.y += dy
-    }
-    for (const list of [other.cells, other.gaps, other.blocks]) list.forEach(move)
-    for (const block of other.blocks)
-      block.lanes.splice(0, block.lanes.length, ...block.lanes.map((lane) => moved(lane, dx, dy)))
-    for (const wrap of other.wraps) {
-      wrap.right += dx
-      wrap.left += dx
-      wrap.y += dy
-      wrap.next += dy
-    }
-    // not spread into arguments: a flow may hold thousands
-    for (const cell of other.cells) this.cells.push(cell)
-    for (const gap of other.gaps) this.gaps.push(gap)
-    for (const block of other.blocks) this.blocks.push(block)
-    for (const wrap of other.wraps) this.wraps.push(wrap)
-  }
-}
-
-const moved = (lane: Lane, dx: number, dy: number): Lane => ({
-  ...lane,
-  x: lane.x + dx,
-  y: lane.y + dy,
-  endX: lane.endX + dx,
-  endY: lane.endY + dy,
-})
 
 /** A step on its way into a row. */
 interface Piece {
@@ -188,24 +159,44 @@ class Laying {
   /** A flow in rows that are not longer than `limit`. */
   flow(path: string, limit: number, isLane: boolean): Sheet {
     const sheet = new Sheet()
-    const gap = rowGap(this.frame)
-    let [x, y, rowHeight] = [0, 0, this.frame.size]
     let before: { piece: Piece; x: number; y: number } | undefined
-    for (const group of this.groups(path, limit, isLane)) {
-      const width = group.reduce((sum, piece) => sum + piece.w, 0)
-      if (x > 0 && x + width > limit) [x, y, rowHeight] = [0, y + rowHeight + gap, this.frame.size]
-      for (const piece of group) {
-        if (x > 0 && x + piece.w > limit && width > limit) [x, y, rowHeight] = [0, y + rowHeight + gap, this.frame.size]
+    let y = 0
+    for (const [k, row] of this.rows(path, limit, isLane).entries()) {
+      const above = Math.max(...row.map((piece) => piece.block?.above ?? 0))
+      if (k === 0) sheet.above = above
+      else y = sheet.h + rowGap(this.frame) + above
+      let x = 0
+      for (const piece of row) {
         this.put(sheet, path, piece, x, y)
-        if (before) this.between(sheet, path, before, { piece, x, y })
+        if (before) this.between(sheet, path, before, { piece, x, y }, above)
         before = { piece, x, y }
         x += piece.w
-        rowHeight = Math.max(rowHeight, piece.h)
-        sheet.w = Math.max(sheet.w, x)
+      }
+      sheet.w = Math.max(sheet.w, x)
+      sheet.h = y + Math.max(this.frame.size, ...row.map(({ h }) => h))
+    }
+    return sheet
+  }
+
+  /** What stands beside each other; an action is parted from its targets only where it is longer than a row. */
+  private rows(path: string, limit: number, isLane: boolean): Piece[][] {
+    const rows: Piece[][] = []
+    let x = 0
+    const begin = (): void => {
+      rows.push([])
+      x = 0
+    }
+    begin()
+    for (const group of this.groups(path, limit, isLane)) {
+      const width = group.reduce((sum, piece) => sum + piece.w, 0)
+      if (x > 0 && x + width > limit) begin()
+      for (const piece of group) {
+        if (x > 0 && x + piece.w > limit && width > limit) begin()
+        rows.at(-1)!.push(piece)
+        x += piece.w
       }
     }
-    sheet.h = y + rowHeight
-    return sheet
+    return rows
   }
 
   private put(sheet: Sheet, flow: string, piece: Piece, x: number, y: number): void {
@@ -222,9 +213,10 @@ class Laying {
     flow: string,
     a: { piece: Piece; x: number; y: number },
     b: { piece: Piece; x: number; y: number },
+    above: number,
   ): void {
     const right = a.x + a.piece.w
-    if (a.y !== b.y) sheet.wraps.push({ right, y: a.y, left: b.x, next: b.y })
+    if (a.y !== b.y) sheet.wraps.push({ right, y: a.y, left: b.x, next: b.y, above })
     if (a.piece.isHole || a.piece.step === GHOST || b.piece.step === GHOST) return
     const after = a.piece.step > 0 ? a.piece.step : START
     if (b.piece.isHole) {
@@ -262,16 +254,18 @@ class Laying {
     const inside = new Sheet()
     const lanes: Lane[] = []
     const room = Math.max(this.width + 2 * BAND, limit - 2 * FORK)
-    let [y, widest] = [0, 0]
-    for (const path of paths) {
+    let [above, h, widest] = [0, 0, 0]
+    for (const [k, path] of paths.entries()) {
       const lane = this.flow(path, room, true)
+      const y = k ? h + rowGap(this.frame) + LANE_LABEL + lane.above : 0
+      if (k === 0) above = CONDITION + lane.above // its row is that of the branch
       inside.take(lane, FORK, y)
       const end = lane.cells.at(-1)! // each flow ends with its end
-      lanes.push({ path, x: FORK, y, endX: end.x + end.w, endY: end.y })
+      lanes.push({ path, x: FORK, y, above: lane.above, endX: end.x + end.w, endY: end.y })
       widest = Math.max(widest, lane.w)
-      y += lane.h + rowGap(this.frame) + LANE_LABEL
+      h = y + lane.h
     }
-    const [w, h] = [widest + 2 * FORK, y - rowGap(this.frame) - LANE_LABEL]
-    return { step, w, h, isHole: false, inside, block: { step, flow, x: 0, y: 0, w, h, lanes } }
+    const w = widest + 2 * FORK
+    return { step, w, h, isHole: false, inside, block: { step, flow, x: 0, y: 0, w, h, above, lanes } }
   }
 }

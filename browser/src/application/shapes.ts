@@ -6,8 +6,8 @@ import { FORK, type Block, type Lane, type Wrap } from './arrangement'
 const ROUND = 6
 
 /** From the end of a row, round, to the beginning of the next, with an arrow's head. */
-export function wrapPath({ right, y, left, next }: Wrap, size: number): string {
-  const [from, to, between] = [y + size / 2, next + size / 2, next - 15]
+export function wrapPath({ right, y, left, next, above }: Wrap, size: number): string {
+  const [from, to, between] = [y + size / 2, next + size / 2, next - 15 - above]
   return (
     `M${right + 3} ${from}h6q${ROUND} 0 ${ROUND} ${ROUND}V${between - ROUND}q0 ${ROUND} ${-ROUND} ${ROUND}H${left - 18}` +
     `q${-ROUND} 0 ${-ROUND} ${ROUND}V${to - ROUND}q0 ${ROUND} ${ROUND} ${ROUND}h13m-6 -4l6 4l-6 4`

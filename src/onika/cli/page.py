@@ -3,9 +3,11 @@
 import argparse
 import asyncio
 import os
+import signal
 import socket
 import sys
 import webbrowser
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -24,7 +26,7 @@ from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 from onika.words.fault import Fault
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 from onika.words.system_error import system_reason
 
 PORT = 8420
@@ -44,6 +46,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, metavar="N", help=say(Reason.of("cli.page_port", port=PORT)))
     parser.add_argument("--no-browser", action="store_true", help=say(Reason.of("cli.page_no_browser")))
     parser.add_argument("--window", type=window, metavar="SIZE", help=say(Reason.of("cli.page_window")))
+    parser.add_argument("--ends-with-window", action="store_true", help=say(Reason.of("cli.page_ends_with_window")))
     parser.add_argument("--connect", metavar="URL", help=say(Reason.of("cli.page_connect")))
     parser.add_argument(
         "--at", action="append", default=[], type=station, metavar="NAME=URL",
@@ -75,13 +78,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
 
 def carry_out(given: argparse.Namespace) -> int:
     """Open the environment, until Ctrl-C."""
-    if given.connect and given.no_connect:
-        given.complain(say(Reason.of("cli.connect_or_not")))
     tokens = dict(given.token_file)
-    names = [name for name, _ in given.at]
-    strange = next((name for name in (*names, *tokens) if name and (names.count(name) != 1)), None)
-    if strange is not None:
-        given.complain(say(Reason.of("cli.station_once", name=strange)))
+    if contradiction := _contradiction(given, tokens):
+        given.complain(say(contradiction))
     place, faults = _place(given)
     for fault in faults:
         print(say(fault.sentence), file=sys.stderr)
@@ -108,11 +107,25 @@ def carry_out(given: argparse.Namespace) -> int:
     answers: list[str] = []
 
     def tell(address: str) -> None:
-        _tell(address, shows, given.window, state / PROFILE, is_first=not answers)
+        _tell(address, shows, given.window, state / PROFILE, closed, is_first=not answers)
         answers.append(address)
+
+    def closed() -> None:
+        _closed(has_come=len(answers) > 1, ends=given.ends_with_window)
 
     asyncio.run(program.run(listening, tell if place is None else partial(_tell_others, place), place))
     return 0
+
+
+def _contradiction(given: argparse.Namespace, tokens: Mapping[str, str]) -> Reason:
+    """What cannot be wanted together; nothing: all can."""
+    if given.connect and given.no_connect:
+        return Reason.of("cli.connect_or_not")
+    if given.ends_with_window and given.window is None:
+        return Reason.of("cli.window_that_ends")
+    names = [name for name, _ in given.at]
+    strange = next((name for name in (*names, *tokens) if name and names.count(name) != 1), "")
+    return Reason.of("cli.station_once", name=strange) if strange else NOTHING
 
 
 def _tell_others(place: PagePlace, address: str) -> None:
@@ -182,13 +195,26 @@ def has_screen() -> bool:
     return sys.platform == "darwin" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def _tell(address: str, shows: bool, wanted: PageWindow | None, profile: Path, *, is_first: bool) -> None:
+def _closed(*, has_come: bool, ends: bool) -> None:
+    """The window of the page was closed: it ends, as by Ctrl-C, unless its browser never came to the page."""
+    if not ends:
+        return
+    if not has_come:
+        print(say(Reason.of("cli.window_never_came")), flush=True)
+        return
+    print(say(Reason.of("cli.window_closed")), flush=True)
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def _tell(
+    address: str, shows: bool, wanted: PageWindow | None, profile: Path, closed: Callable[[], None], *, is_first: bool
+) -> None:
     if not is_first:
         print(say(Reason.of("cli.page_next", address=address)), flush=True)
         return
     print(say(Reason.of("cli.page_open", address=address)), flush=True)
     print(say(Reason.of("cli.page_key")), flush=True)
-    if wanted is not None and not (shows and wanted.open(address, profile)):
+    if wanted is not None and not (shows and wanted.open(address, profile, closed)):
         said = Reason.of(
             "cli.window_by_hand", width=wanted.width, height=wanted.height, left=wanted.left, top=wanted.top
         )

@@ -73,7 +73,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
-    parser.add_argument("--runtime", type=_address, metavar="URL", help=say(Reason.of("cli.run_runtime")))
+    parser.add_argument("--runtime", type=runtime_address, metavar="URL", help=say(Reason.of("cli.run_runtime")))
     parser.add_argument(
         "--token-file", dest="tokens", action="append", default=[], type=_token, metavar="[FLOW=]FILE",
         help=say(Reason.of("cli.run_token_file")),
@@ -228,7 +228,8 @@ def redirect_of(text: str) -> Redirect:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
-def _address(text: str) -> str:
+def runtime_address(text: str) -> str:
+    """The address of a runtime, as a word of a command line."""
     try:
         return str(address_of(text))
     except ValueError as wrong:
@@ -275,7 +276,7 @@ def _instant(text: str) -> float:
 def _at(text: str) -> float | tuple[str, str]:
     """An instant, or a flow and the runtime where it runs."""
     flow, equals, url = text.partition("=")
-    return (flow.strip(), _address(url)) if equals else _instant(text)
+    return (flow.strip(), runtime_address(url)) if equals else _instant(text)
 
 
 def _places(given: argparse.Namespace) -> tuple[tuple[str, RuntimeLocation], ...]:

@@ -7,7 +7,7 @@ another one, untouched; its log is put away where the report reads it.
 
 import fcntl
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from onika.files import text as texts
@@ -17,6 +17,7 @@ from onika.words.reason import Reason
 
 SESSIONS = "sessions"
 VARIANTS = ("pictures", "both", "words")
+_PROGRAMS = Path("programs", "appl")
 _STATE = Path(".local", "state", "onika")
 _DIARY = _STATE / "diary"
 _RUNNING = _STATE / "recovery"
@@ -36,8 +37,8 @@ class Session:
     put_away: tuple[str, ...] = ()
 
 
-def prepare(study: Path, subject: str, variant: str = "") -> Session | Reason:
-    """Ready a session; why not. `variant` is that of the table of the study where none is given. Raises OSError."""
+def planned(study: Path, subject: str, variant: str = "") -> Session | Reason:
+    """The session that `prepare` would ready, or why it would not; nothing is touched. Raises OSError."""
     if wrong := _wrong_name(subject):
         return wrong
     listed = _listed(study, subject)
@@ -48,17 +49,28 @@ def prepare(study: Path, subject: str, variant: str = "") -> Session | Reason:
     home = study / SESSIONS / subject
     if home.exists() or _logs_of(study, subject):
         return Reason.of("study.session_there", subject=subject, path=str(home))
+    if opened := _opened(study):
+        return Reason.of("study.session_open", subject=opened)
+    return Session(subject, variant or listed, home.absolute())
+
+
+def prepare(study: Path, subject: str, variant: str = "") -> Session | Reason:
+    """Ready a session; why not. `variant` is that of the table of the study where none is given. Raises OSError."""
+    session = planned(study, subject, variant)
+    if isinstance(session, Reason):
+        return session
     put_away = _put_away(study)
     if isinstance(put_away, Reason):
         return put_away
-    (home / "programs" / "appl").mkdir(parents=True)
-    return Session(subject, variant or listed, home.absolute(), put_away)
+    (session.home / _PROGRAMS).mkdir(parents=True)
+    return replace(session, put_away=put_away)
 
 
 def end(study: Path, subject: str) -> tuple[Path, ...] | Reason:
     """End a session: its logs stand where the report reads them, its home stays, but for what its browser kept.
 
-    Refused while its page is open: its log is not whole. Raises OSError.
+    Refused while its page is open: its log is not whole. Where nothing was done in it, as its page never came up, it
+    is taken back: its home goes, and the subject can have a session still. Raises OSError.
     """
     if wrong := _wrong_name(subject):
         return wrong
@@ -67,7 +79,7 @@ def end(study: Path, subject: str) -> tuple[Path, ...] | Reason:
         return Reason.of("study.session_open", subject=subject)
     diary = sorted((home / _DIARY).glob("*.log"))
     if not diary:
-        return Reason.of("study.no_diary", subject=subject, path=str(home / _DIARY))
+        return _without_diary(home, subject)
     place = study / LOGS / subject
     if _logs_of(study, subject):
         return Reason.of("study.ended_already", subject=subject, path=str(place))
@@ -82,18 +94,34 @@ def end(study: Path, subject: str) -> tuple[Path, ...] | Reason:
     return tuple(place / path.name for path in diary)
 
 
+def _without_diary(home: Path, subject: str) -> Reason:
+    """Why there is nothing to put away; a home in which nothing was made is removed."""
+    diary = str(home / _DIARY)
+    if not home.is_dir():
+        return Reason.of("study.no_diary", subject=subject, path=diary)
+    if any(path.is_file() for path in (home / _PROGRAMS).parent.rglob("*")):
+        return Reason.of("study.programs_alone", subject=subject, path=diary)
+    shutil.rmtree(home)
+    return Reason.of("study.taken_back", subject=subject)
+
+
 def _put_away(study: Path) -> tuple[str, ...] | Reason:
     """The logs of all sessions that were used and not ended stand where the report reads them; why not, if so."""
-    homes = sorted((study / SESSIONS).glob("*")) if (study / SESSIONS).is_dir() else []
-    left = [home for home in homes if any((home / _DIARY).glob("*.log")) and not _logs_of(study, home.name)]
-    opened = next((home.name for home in homes if _is_open(home)), "")
-    if opened:
-        return Reason.of("study.session_open", subject=opened)
+    left = [home for home in _homes(study) if any((home / _DIARY).glob("*.log")) and not _logs_of(study, home.name)]
     for home in left:
         ended = end(study, home.name)
         if isinstance(ended, Reason):
             return ended
     return tuple(home.name for home in left)
+
+
+def _homes(study: Path) -> list[Path]:
+    return sorted((study / SESSIONS).glob("*")) if (study / SESSIONS).is_dir() else []
+
+
+def _opened(study: Path) -> str:
+    """A subject whose page is open; empty: none is."""
+    return next((home.name for home in _homes(study) if _is_open(home)), "")
 
 
 def _is_open(home: Path) -> bool:

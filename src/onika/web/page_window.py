@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,8 +47,8 @@ class PageWindow:
             "--no-first-run", "--no-default-browser-check",
         )  # fmt: skip
 
-    def open(self, address: str, profile: Path) -> bool:
-        """Open it; False where no browser is here that could."""
+    def open(self, address: str, profile: Path, closed: Callable[[], None] = lambda: None) -> bool:
+        """Open it; False where no browser is here that could. `closed` is called, by a thread, when it was closed."""
         command = self.command(address, profile)
         if not command:
             return False
@@ -58,5 +59,10 @@ class PageWindow:
             )  # fmt: skip
         except OSError:
             return False
-        threading.Thread(target=browser.wait, daemon=True).start()  # nothing is left of it when it ends
+
+        def watch() -> None:
+            browser.wait()  # nothing is left of it when it ends
+            closed()
+
+        threading.Thread(target=watch, daemon=True).start()
         return True

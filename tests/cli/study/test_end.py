@@ -5,7 +5,7 @@ from onika.cli import main
 def test_a_session_goes_from_its_preparation_to_the_report(tmp_path, capsys):  # R-H09
     study = tmp_path / "folk"
     main(["study", "new", str(study)])
-    main(["study", "prepare", str(study), "s1", "--variant", "both"])
+    main(["study", "prepare", str(study), "s1", "--variant", "both", "--no-calibration"])
     diary = study / "sessions" / "s1" / ".local" / "state" / "onika" / "diary"
     assert main(["study", "end", str(study), "s1"]) == 2
     diary.mkdir(parents=True)

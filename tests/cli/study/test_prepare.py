@@ -6,12 +6,15 @@ import pytest
 
 from onika.cli import main
 
+PREPARED = ("study", "prepare", "--no-calibration")
+WORDS = ("s1", "--variant", "words")
+
 
 def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_path, capsys):  # R-H09
     study = tmp_path / "folk for us"
     assert main(["study", "new", str(study)]) == 0
     capsys.readouterr()
-    assert main(["study", "prepare", str(study), "s1", "--variant", "both"]) == 0
+    assert main(["study", "prepare", str(study), "s1", "--variant", "both", "--no-calibration"]) == 0
     said = capsys.readouterr().out
     command = shlex.split(next(line for line in said.splitlines() if line.startswith("  env ")))
     assert f"HOME={study / 'sessions' / 's1'}" in command
@@ -30,10 +33,23 @@ def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  
         "; place.mkdir(parents=True); (place / 'a.log').write_text(' '.join(sys.argv[1:]))"
     )
     monkeypatch.setattr(sys, "argv", [str(page)])
-    assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open", "--window", "900x700"]) == 0
+    assert main([*PREPARED, str(study), *WORDS, "--open", "--window", "900x700"]) == 0
     log = (study / "logs" / "s1" / "a.log").read_text()
     assert log.startswith("page --upper --presentation words --window 900x700+0+0 --base ")
+    assert log.endswith(" --ends-with-window")
     assert "is ended" in capfd.readouterr().out
+
+
+def test_a_session_whose_page_never_came_up_is_taken_back(tmp_path, capfd, monkeypatch):  # R-H09
+    study = tmp_path / "folk"
+    main(["study", "new", str(study)])
+    page = tmp_path / "page.py"
+    page.write_text("raise SystemExit(2)")
+    monkeypatch.setattr(sys, "argv", [str(page)])
+    for _ in range(2):
+        assert main([*PREPARED, str(study), *WORDS, "--open"]) == 2
+        assert "can be prepared anew" in capfd.readouterr().err
+        assert not (study / "sessions" / "s1").exists()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
@@ -48,7 +64,7 @@ def test_a_preparation_that_is_told_to_end_ends_its_page_and_its_session(tmp_pat
     )
     monkeypatch.setattr(sys, "argv", [str(page)])
     before = signal.getsignal(number)
-    assert main(["study", "prepare", str(study), "s1", "--variant", "words", "--open"]) == 0
+    assert main([*PREPARED, str(study), *WORDS, "--open"]) == 0
     assert (study / "logs" / "s1" / "a.log").read_text() == "SIGTERM"
     assert signal.getsignal(number) is before
 

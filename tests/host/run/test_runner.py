@@ -191,6 +191,14 @@ def test_a_lost_unit_is_not_waited_for_when_statuses_are_asked():  # R-E10
     assert rig.runner.is_over
 
 
+def test_a_run_of_no_ops_alone_ends():  # R-E14
+    rig = RunnerRig([action()]).start()
+    assert not rig.runner.is_over
+    rig.runner.tick(rig.now + 500_000_000)
+    assert rig.runner.is_over
+    assert rig.runner.statistics.done == 1
+
+
 def test_news_of_unknown_tasks_is_nobodys():
     rig = RunnerRig([action("bell")]).start()
     before = list(rig.events)

@@ -64,3 +64,9 @@ def test_a_run_that_is_given_up_does_not_settle(settling):  # R-E14
     settling.ask()
     settling.give_up()
     assert [settling.reported(rtpu) for rtpu in ("rt0", "rt1")] == [False, False]
+
+
+def test_where_there_are_no_tasks_nobody_is_waited_for(units):  # R-E14
+    settling = Settling(0.5, {0: flow()}, units)
+    assert not settling.ask()
+    assert units.sent == []

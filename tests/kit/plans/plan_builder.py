@@ -27,7 +27,7 @@ _PORTS = {
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """Which tasks are ON, what their trigger is told, at what rates."""
+    """Which tasks are ON, what their trigger is told, at what rates; without tasks it is a no-op."""
 
     tasks: tuple[str, ...]
     arguments: str = ""
@@ -114,6 +114,7 @@ def _planned(flow: int, index: int, action: Action) -> PlannedAction:
         place="test.appl",
         line=100 * flow + index + 1,
         tasks=action.tasks,
+        is_noop=not action.tasks,
         rates=action.rates,
         arguments=action.arguments,
     )

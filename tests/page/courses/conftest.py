@@ -8,12 +8,17 @@ from .learner import Learner
 @pytest.fixture
 def learner(begin, page):
     """Somebody before whom nothing was done: opens the courses, in a language."""
+    programs = []
 
     def opened(language="en"):
         page.add_init_script(f"localStorage.setItem('onika.language', '\"{language}\"')")
-        page.goto(begin("--upper").address())
+        programs.append(begin("--upper"))
+        page.goto(programs[-1].address())
         me = Learner(page, language)
         page.get_by_role("button", name=re.compile(me.t("upper.first.tutorial"))).first.click()
         return me
 
-    return opened
+    yield opened
+    page.close()  # it must not miss its environment
+    for program in programs:  # its workcell would take time from those that come
+        program.end()

@@ -8,6 +8,8 @@ from .words import texts
 
 PATIENCE_MS = 60_000
 SHIFT = ["Shift"]
+LATE = re.compile(r"(was|came) late")
+"""What is said of a device that the machine of the tests did not serve in time."""
 
 
 class Learner:
@@ -59,10 +61,36 @@ class Learner:
         puzzle.get_by_role("button", name=self.t("puzzle.begin"), exact=True).click()
         expect(puzzle.get_by_role("button", name=self.t("puzzle.again"), exact=True)).to_be_visible()
 
+    def takes_hints(self) -> None:
+        """All of the puzzle that is open, one after the other; each says how many are left."""
+        puzzle = self.panel.locator("li[aria-current=step]")
+        hints = puzzle.get_by_text(re.compile(self.t("puzzle.hintNumber", n="\\d+")))
+        more = puzzle.get_by_role("button", name=re.compile(re.escape(self.t("puzzle.hint")).replace(r"\{n\}", r"\d+")))
+        count = int(re.findall(r"\d+", more.inner_text())[0])
+        for taken in range(count):
+            expect(hints).to_have_count(taken)
+            expect(more).to_contain_text(str(count - taken))
+            more.click()
+        expect(hints).to_have_count(count)
+        expect(more).to_have_count(0)
+
     @property
     def verdict(self) -> Locator:
         """What came of the run."""
         return self.panel.get_by_role("status")
+
+    def gets(self, key: str) -> None:
+        """Run until this is the verdict; a run that stopped as this machine had no time for its robots is done anew."""
+        wanted = self.verdict.filter(has_text=self.t(key))
+        late = self.page.get_by_text(LATE).first
+        for _ in range(3):
+            self.runs()
+            expect(wanted.or_(late).first).to_be_visible(timeout=2 * PATIENCE_MS)
+            if wanted.is_visible():
+                break
+            self.page.get_by_role("button", name=re.compile(self.t("stopped.abort"))).first.click()
+            expect(late).to_have_count(0)
+        expect(wanted).to_be_visible()
 
     # -- programs
 
@@ -98,6 +126,28 @@ class Learner:
         self.step(place).click(button="right", modifiers=SHIFT)
         name = re.compile(f"^{re.escape(self.t(key))}")
         self.menu.get_by_role("menuitem", name=name).click()
+
+    def adds_a_flow(self) -> None:
+        """A second one beside the first, by the menu behind the start icon."""
+        self._chooses_of_flows("upper.addFlow")
+        expect(self.steps).to_have_count(4)
+        self._chooses_of_flows("upper.makeParallel")
+        expect(self.workspace.get_by_text(self.t("upper.parallelFlows", n=2))).to_be_visible()
+
+    def _chooses_of_flows(self, key: str) -> None:
+        self.step(0).click()
+        self.page.keyboard.press("Shift+F10")
+        self.menu.get_by_role("menuitem", name=re.compile(f"^{re.escape(self.t(key))}")).click()
+
+    def copies(self, first: int, last: int, behind: int) -> None:
+        """What stands from one place to another, behind a third one."""
+        count = self.steps.count()
+        self.step(first).click()
+        self.step(last).click(modifiers=SHIFT)
+        self.page.keyboard.press("Control+c")
+        self.step(behind).click()
+        self.page.keyboard.press("Control+v")
+        expect(self.steps).to_have_count(count + last - first + 1)
 
     def tags(self, place: int, tag: str) -> None:
         self.chooses(place, "upper.tag")

@@ -16,5 +16,4 @@ def test_a_planted_fault_is_mended_in_the_page(learner, number):  # R-H07
     me.opens(number)
     expect(me.workspace.get_by_role("heading", level=1)).to_have_text(list(MENDINGS)[number])
     list(MENDINGS.values())[number](me)
-    me.runs()
-    expect(me.verdict).to_contain_text(me.t("puzzle.mended"), timeout=60_000)
+    me.gets("puzzle.mended")

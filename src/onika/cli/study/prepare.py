@@ -13,7 +13,8 @@ from types import FrameType
 
 from onika.cli.language import say
 from onika.cli.page import window
-from onika.study.preparation import VARIANTS, Session, end, prepare
+from onika.cli.study.calibration import add_calibration, is_calibrated, page_of_workcell
+from onika.study.preparation import VARIANTS, Session, end, planned, prepare
 from onika.web.page_window import PageWindow
 from onika.words.reason import Reason
 
@@ -33,6 +34,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     add_subject(parser)
     parser.add_argument("--variant", choices=VARIANTS, default="", help=say(Reason.of("cli.study_variant")))
     parser.add_argument("--window", type=window, metavar="SIZE", help=say(Reason.of("cli.page_window")))
+    add_calibration(parser)
     parser.add_argument("--open", action="store_true", help=say(Reason.of("cli.study_opens")))
 
 
@@ -46,16 +48,21 @@ def carry_out(given: argparse.Namespace) -> int:
     """Do it, and start the page or say how; 2 where it is refused."""
     if not given.study.is_dir():
         return refused(Reason.of("cli.study_no_folder", path=str(given.study)))
+    plan = planned(given.study, given.subject, given.variant)
+    if isinstance(plan, Reason):
+        return refused(plan)
+    if not is_calibrated(given):
+        return 1
     session = prepare(given.study, given.subject, given.variant)
     if isinstance(session, Reason):
         return refused(session)
     for subject in session.put_away:
         print(say(Reason.of("cli.study_put_away", subject=subject)))
-    words = page_words(session, given.window or PageWindow.read(_WINDOW))
+    words = (*page_words(session, given.window or PageWindow.read(_WINDOW)), *page_of_workcell(given))
     if given.open:
         print(say(Reason.of("cli.study_opened", subject=session.subject, variant=session.variant)), flush=True)
         _print_steps()
-        return _carried_through(given.study, session, words)
+        return _carried_through(given.study, session, (*words, "--ends-with-window"))
     print(say(Reason.of("cli.study_ready", subject=session.subject, variant=session.variant)))
     unset = [word for name in _KEPT for word in ("-u", name)]
     print(f"  {shlex.join(['env', *unset, f'HOME={session.home}', 'onika', *words])}")
@@ -79,7 +86,10 @@ def _print_steps() -> None:
 
 
 def _carried_through(study: Path, session: Session, words: tuple[str, ...]) -> int:
-    """The page until it is ended by Ctrl-C, or this program by SIGTERM or SIGHUP, then the end of the session."""
+    """The page until its window is closed or it is ended by Ctrl-C, or this program by SIGTERM or SIGHUP; then the end.
+
+    Where the page never came up, the session is taken back.
+    """
     kept = {name: value for name, value in os.environ.items() if name not in _KEPT}
     command = [sys.executable, sys.argv[0], *words]
     page = subprocess.Popen(command, env={**kept, "HOME": str(session.home)})  # noqa: S603 - this very program

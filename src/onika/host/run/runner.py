@@ -241,7 +241,8 @@ class Runner:
             self.rendezvous.serve(now)
         if self._settling.is_due(now):
             self.statistics.read(self._tables)
-            self._settling.ask()
+            if not self._settling.ask():
+                self._feed(engine_news.Settled())
 
     # News of units
 

@@ -34,12 +34,13 @@ class Settling:
         """Whether it has settled for as long as it was to."""
         return self._until is not None and now >= self._until
 
-    def ask(self) -> None:
-        """Ask every unit for the figures of its tasks."""
+    def ask(self) -> bool:
+        """Ask every unit for the figures of its tasks; False where a run has no task, so that none will tell any."""
         self._until = None
         self._open = {member.rtpu for subsystem in self._subsystems.values() for member in subsystem.members.values()}
         for rtpu in sorted(self._open):
             self._units.send(rtpu, command.Report())
+        return bool(self._open)
 
     def reported(self, rtpu: str) -> bool:
         """A unit has told them; whether it was the last one that was missing."""
