@@ -1387,6 +1387,7 @@ export interface ClassSeatView {
   note_number?: number;
   handed_in?: number;
   grade?: [number, number] | null;
+  began_anew?: Reason;
 }
 
 /** An open dictionary. */

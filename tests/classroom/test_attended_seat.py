@@ -6,7 +6,7 @@ import pytest
 
 from onika.classroom import messages
 from onika.classroom.attended_seat import SILENT_S, AttendedSeat
-from onika.words.reason import NOTHING
+from onika.words.reason import NOTHING, Reason
 
 
 class Process:
@@ -94,6 +94,22 @@ def test_one_that_ends_or_talks_nonsense_is_off_and_begins_anew(does, why):  # R
         assert story.seat.ended.key == why
         assert await story.seat.ready()
         assert len(story.processes) == 2
+        assert (story.seat.began_anew.key, story.seat.ended) == (why, NOTHING)
+        await story.seat.end(NOTHING)
+
+    played(tell)
+
+
+def test_one_that_left_in_order_knows_why_when_it_begins_anew():  # R-X25
+    async def tell(story):
+        await story.seat.ready()
+        assert not story.seat.began_anew
+        leaving = asyncio.ensure_future(story.seat.leave(30.0, Reason.of("class.seat_left", minutes=20)))
+        await asyncio.sleep(0)
+        story.processes[0].theirs.close()
+        await leaving
+        assert await story.seat.ready()
+        assert story.seat.began_anew == Reason.of("class.seat_left", minutes=20)
         await story.seat.end(NOTHING)
 
     played(tell)

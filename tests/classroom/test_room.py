@@ -6,7 +6,7 @@ from onika.classroom import messages
 from onika.classroom.footprint import Footprint
 from onika.classroom.room import IDLE_S, LOOK_S, ClassRoom
 from onika.classroom.roster import Grade, GradedExpectation
-from onika.words.reason import NOTHING
+from onika.words.reason import NOTHING, Reason
 
 
 class Seat:
@@ -15,6 +15,7 @@ class Seat:
     def __init__(self, begins, hears):
         self.name, self.hears, self.sent = begins, hears, []
         self.state, self.port, self.pid, self.ended = "off", 9000, None, NOTHING
+        self.began_anew = NOTHING
         self.silent_s, self.footprint, self.standing = 0.0, Footprint(), messages.SeatStanding()
 
     async def ready(self):
@@ -27,8 +28,8 @@ class Seat:
     async def end(self, reason):
         self.state, self.ended = "off", reason
 
-    async def leave(self, _patience_s):
-        self.state = "left"
+    async def leave(self, _patience_s, reason=NOTHING):
+        self.state, self.ended = "left", reason
 
 
 class Grader:
@@ -116,6 +117,15 @@ def test_a_seat_that_nobody_looks_at_leaves_after_a_while(room):
     assert room.seat(1).state == "there"
     asyncio.run(look(0))
     assert room.seat(1).state == "left"
+    assert room.seat(1).ended == Reason.of("class.seat_left", minutes=20)
+
+
+def test_who_comes_back_to_a_seat_that_had_ended_is_told_why_it_begins_anew(room):  # R-X25
+    room.seat(1).began_anew = Reason.of("class.seat_left", minutes=20)
+    asyncio.run(room.admitted(1))
+    asyncio.run(room.admitted(2))
+    assert shown(room, 1).began_anew == Reason.of("class.seat_left", minutes=20)
+    assert not shown(room, 2).began_anew
 
 
 def test_a_hand_in_is_taken_over_and_graded(room, tmp_path):  # R-X25

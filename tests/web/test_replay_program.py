@@ -27,7 +27,7 @@ def player(tmp_path):
     lines, faults = session_log.read(text, "s.log")
     assert faults == ()
     control = ReplayControl(lambda: 0.0, "s.log", 1000.0)
-    place = replay_place.made(lines[0], [], tmp_path / "replay", "s.log")
+    place = replay_place.made(lines, [], tmp_path / "replay", "s.log")
     player = SessionPlayer(lines, place, {**HANDLERS, act.SteerReplay: control.steer}, "s.log")
     player.control = control
     return player

@@ -129,6 +129,8 @@ export const enHolding = {
   // a class: whose seat it is, and what its teacher does with it
   'class.title': 'Class',
   'class.comeIn': 'Where learners come in, and the code that they say there',
+  'class.beganAnew':
+    'Your seat began anew: {why}. What was not saved is there again; the workcell stands as at the beginning.',
   'class.code': 'code',
   'class.here': '{here} here, {seats} seats',
   'class.stuckCount': '{n} is stuck|{n} are stuck',

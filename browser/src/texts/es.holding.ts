@@ -131,6 +131,8 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   // a class: whose seat it is, and what its teacher does with it
   'class.title': 'Clase',
   'class.comeIn': 'Por dónde se entra, y el código que se dice allí',
+  'class.beganAnew':
+    'Su puesto ha empezado de nuevo: {why}. Lo que no estaba guardado está otra vez; la célula está como al principio.',
   'class.code': 'código',
   'class.here': '{here} presentes, {seats} puestos',
   'class.stuckCount': '{n} se ha atascado|{n} se han atascado',

@@ -63,6 +63,8 @@ class AttendedSeat:
         self.footprint = Footprint()
         self.ended = NOTHING
         """Why it was ended last, if it did not end by itself."""
+        self.began_anew = NOTHING
+        """Why the process before this one ended."""
 
     @property
     def pid(self) -> int | None:
@@ -97,13 +99,14 @@ class AttendedSeat:
         if self._writer is not None and not self._writer.is_closing():
             self._writer.write(messages.line(order))
 
-    async def leave(self, patience_s: float) -> None:
+    async def leave(self, patience_s: float, reason: Reason = NOTHING) -> None:
         """Let it end in order, or end it after so long."""
         self.send(messages.LeaveClass())
         reading = self._reading
         if reading is not None:
             await asyncio.wait((reading,), timeout=patience_s)
-        await self.end(NOTHING)
+        await self.end(reason)
+        self.ended = reason
 
     async def end(self, reason: Reason) -> None:
         """End it now; all that it has started ends with it."""
@@ -121,7 +124,7 @@ class AttendedSeat:
     # Inner
 
     async def _begin(self) -> None:
-        self.ended = NOTHING
+        self.began_anew, self.ended = self.ended, NOTHING
         self._opened.clear()
         self.standing, self._heard_s = messages.SeatStanding(), self._clock()
         process, channel, self.port = await asyncio.to_thread(self._begins)

@@ -175,7 +175,7 @@ class ClassRoom:
         self._empty_s[number] = self._empty_s.get(number, 0.0) + LOOK_S if is_empty else 0.0
         if self._empty_s[number] > IDLE_S:
             self._empty_s[number] = 0.0
-            await seat.leave(_LEAVE_S)
+            await seat.leave(_LEAVE_S, Reason.of("class.seat_left", minutes=round(IDLE_S / 60)))
 
     def _change(self, numbers: Sequence[int], how: Callable[[Learner], Learner]) -> None:
         for number in numbers:
@@ -191,7 +191,7 @@ class ClassRoom:
     def _show(self, number: int) -> None:
         learner, seat = self.roster.at(number), self._seats.get(number)
         if learner is not None and seat is not None:
-            seat.send(messages.ShowSeat(learner.view))
+            seat.send(messages.ShowSeat(replace(learner.view, began_anew=seat.began_anew)))
 
     def _hear(self, number: int, news: messages.News) -> None:
         if isinstance(news, messages.HandedIn) and news.folder:

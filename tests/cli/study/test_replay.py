@@ -37,6 +37,17 @@ def test_what_could_not_be_done_is_said_with_its_line(tmp_path, capsys):  # R-H0
     assert "s.log:3: expected x to be done as it was" in capsys.readouterr().err
 
 
+def test_what_is_left_of_a_log_whose_head_was_cut_off_is_replayed(tmp_path, capsys):  # R-H08
+    log = logged(tmp_path / "s.log", NEW, SAVE)
+    lines = log.read_text().splitlines()
+    log.write_text("\n".join(lines[2:]))
+    (tmp_path / "lab").mkdir()
+    out = tmp_path / "out"
+    assert main(["study", "replay", str(log), "--no-page", "--base", str(tmp_path / "lab"), "--to", str(out)]) == 1
+    assert (out / "base0" / "lab" / "appl" / "mine.appl").is_file()
+    assert "s.log:1: expected the line with which the session began" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("text", ["", "nonsense", "770909683\tnew_appl\tnone\t0\tnone\t0\tappl\n", "\x00\xff"])
 def test_what_is_no_log_of_a_session_is_refused(tmp_path, capsys, text):  # R-H08
     (tmp_path / "s.log").write_text(text)

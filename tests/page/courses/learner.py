@@ -82,13 +82,13 @@ class Learner:
     def gets(self, key: str) -> None:
         """Run until this is the verdict; a run that stopped as this machine had no time for its robots is done anew."""
         wanted = self.verdict.filter(has_text=self.t(key))
-        late = self.page.get_by_text(LATE).first
+        late = self.page.get_by_role("dialog").filter(has_text=LATE)
         for _ in range(3):
             self.runs()
-            expect(wanted.or_(late).first).to_be_visible(timeout=2 * PATIENCE_MS)
+            expect(wanted.or_(late)).to_be_visible(timeout=2 * PATIENCE_MS)
             if wanted.is_visible():
                 break
-            self.page.get_by_role("button", name=re.compile(self.t("stopped.abort"))).first.click()
+            late.get_by_role("button", name=re.compile(self.t("stopped.abort"))).click()
             expect(late).to_have_count(0)
         expect(wanted).to_be_visible()
 

@@ -69,3 +69,19 @@ def test_two_learners_work_each_in_a_cell_of_their_own_and_the_board_shows_and_s
     expect(watching.locator(".strip")).to_contain_text("You work at the seat of Ana")
     expect(ana.locator(".strip")).to_contain_text("Your teacher works here")
     watching.close()
+
+
+def test_who_comes_back_to_a_seat_that_had_ended_is_told_why_the_workcell_stands_as_at_first(
+    school: ClassProcess, new_page: Callable[[], Page]
+) -> None:  # R-X25
+    ana = seated(new_page(), school, "Ana")
+    expect(ana.locator(".strip .note")).to_have_count(0)
+    ana.goto(school.address)  # her page is closed
+    school.teacher.wish("restart", school.seat("Ana"))
+    school.teacher.until(lambda rows: rows["Ana"]["process"] == "off")
+    ana.get_by_role("link", name="Open my workcell").click()
+    note = ana.locator(".strip .note")
+    expect(note).to_contain_text("Your seat began anew: the teacher has ended it.", timeout=PATIENCE_MS)
+    expect(note).to_contain_text("the workcell stands as at the beginning")
+    note.get_by_role("button").click()
+    expect(note).to_have_count(0)

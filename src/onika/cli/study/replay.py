@@ -48,13 +48,13 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Replay it; 1 where something could not be done as it was, 2 where nothing can be replayed. Raises OSError."""
     lines, faults = _lines(given.log)
-    if not lines or "start" not in lines[0].record:
+    if not any(line.record for line in lines):
         return _failed([*(fault.sentence for fault in faults), Reason.of("replay.no_start", path=str(given.log[0]))])
     if given.to is not None and given.to.exists() and any(given.to.iterdir()):
         return _failed([Reason.of("replay.not_empty", path=str(given.to))])
     with ExitStack() as stack:
         folder = given.to or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="onika-replay-")))
-        place = replay_place.made(lines[0], [Path(base) for base in given.base], folder, given.log[0].name)
+        place = replay_place.made(lines, [Path(base) for base in given.base], folder, given.log[0].name)
         learn(place.site.directories)
         if given.no_page:
             player = SessionPlayer(lines, place, HANDLERS, given.log[0].name)

@@ -59,7 +59,8 @@ def read(text: str, file: str) -> tuple[tuple[LogLine, ...], tuple[Fault, ...]]:
     """The lines of one session in its order, with a fault for each line that lacks, was changed, or is of another."""
     faults: list[Fault] = []
     lines = [read for number, raw in _lines(text) if (read := _read(number, raw, file, faults)) is not None]
-    session = next((line.session for line in lines if line.session), "")
+    begun = beginning(lines)
+    session = next((line.session for line in (*begun, *lines) if line.session), "")
     strange = [line for line in lines if line.session not in (session, "")]
     faults += [_fault(file, line.number, "replay.other_session", _LEFT_OUT) for line in strange]
     ours = [line for line in lines if line.session in (session, "")]
@@ -70,6 +71,11 @@ def read(text: str, file: str) -> tuple[tuple[LogLine, ...], tuple[Fault, ...]]:
     faults += [_fault(file, number, "replay.line_cut", "replay.record_left_out") for number in bare]
     ordered = sorted(zip(_places(ours), ours, strict=True), key=lambda pair: pair[0])
     return tuple(_each_once((line for _, line in ordered), file, faults)), tuple(faults)
+
+
+def beginning(lines: Iterable[LogLine]) -> tuple[LogLine, ...]:
+    """The line with which a session begins, where there is one; of several sessions that of the first."""
+    return tuple(line for line in lines if isinstance(line.record.get("start"), dict))[:1]
 
 
 def _places(lines: Iterable[LogLine]) -> Iterator[int]:

@@ -3,6 +3,7 @@
 from typing import Literal
 
 from onika.wire.view.view import View
+from onika.words.reason import NOTHING, Reason
 
 SeatState = Literal["works", "frozen", "taken"]
 """The learner works; nobody does; the teacher does in his place."""
@@ -22,3 +23,5 @@ class ClassSeatView(View, frozen=True):
     """How often its learner has handed in."""
     grade: tuple[int, int] | None = None
     """Of what was handed in last: how many expectations hold, of how many; None: it is not graded."""
+    began_anew: Reason = NOTHING
+    """Why its former process ended, so that its workcell stands as at first; nothing: there was none."""

@@ -60,7 +60,7 @@ class KeptSession(AppFixture):
     def replay(self, log: str) -> SessionPlayer:
         """The session carried out once more, up to its end."""
         lines, faults = session_log.read(log, "s.log")
-        place = replay_place.made(lines[0], [self.before], self.folder / "replay", "s.log")
+        place = replay_place.made(lines, [self.before], self.folder / "replay", "s.log")
         player = SessionPlayer(lines, place, HANDLERS, "s.log")
         player.faults[:0] = faults
         while player.step():

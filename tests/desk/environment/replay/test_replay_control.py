@@ -24,7 +24,7 @@ def replay(session):
     lines, _ = session_log.read(session.log, "s.log")
     time = Time()
     control = ReplayControl(time, "s.log", is_playing=False)
-    place = replay_place.made(lines[0], [session.before], session.folder / "replay", "s.log")
+    place = replay_place.made(lines, [session.before], session.folder / "replay", "s.log")
     player = SessionPlayer(lines, place, {**HANDLERS, act.SteerReplay: control.steer}, "s.log")
     control.begin(player)
     return control, player, time

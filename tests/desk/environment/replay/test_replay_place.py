@@ -12,12 +12,12 @@ def place(tmp_path):
     start = {
         "bases": [{"name": "lab", "files": {}}, {"name": "..", "files": {}}],
         "own_at": 1,
-        "own": {"../x": "no", ".onika": "yes"},
+        "own": {"../x": "no", "onika": "no", "a\0b": "no", ".onika": "yes"},
     }
     line = LogLine(2, 0.0, "Start_Onika", "none", "0", "none", "0", "root", {"s": "a", "n": 0, "start": start})
     (tmp_path / "given" / "conf").mkdir(parents=True)
     (tmp_path / "given" / "conf" / "a.conf").write_text("x")
-    return made(line, [tmp_path / "given"], tmp_path / "replay", "s.log")
+    return made([line], [tmp_path / "given"], tmp_path / "replay", "s.log")
 
 
 def test_directories_are_copied_under_their_names_and_the_own_one_into_the_home(place, tmp_path):  # R-H08

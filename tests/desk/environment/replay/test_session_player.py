@@ -133,6 +133,24 @@ def test_lines_of_another_session_are_left_out(session, tmp_path):  # R-H08
     assert files_of(player) == session.files()
 
 
+def test_a_session_whose_beginning_was_cut_off_is_done_on_the_files_as_they_are(session):  # R-H08
+    log, at = saved(session)
+    player = session.replay("\n".join(log.splitlines()[2:]))
+    assert keys(player) == [(1, "replay.lines_lack"), (1, "replay.start_lacks")]
+    assert written(player.place.folder / "base0" / session.before.name) == session.files()
+    assert at["new_appl"] == 2
+
+
+def test_lines_of_another_session_at_the_top_do_not_make_it_that_one(session):  # R-H08
+    log, _ = saved(session)
+    lines = log.splitlines()
+    strange = session_log.line(lines[2].split("\t")[:7], '{"s":"00","n":8,"act":{"t":"New"}}')
+    bare = "\t".join(lines[2].split("\t")[:7])
+    player = session.replay("\n".join([strange, bare, *lines]))
+    assert keys(player) == [(1, "replay.other_session"), (2, "replay.line_cut")]
+    assert files_of(player) == session.files()
+
+
 def test_other_files_than_at_the_beginning_are_named(session):  # R-H08
     log, _ = saved(session)
     (session.before / "dict" / "new.onk").write_text("nonsense")

@@ -13,12 +13,14 @@ import msgspec
 
 from onika.desk.environment.diary_record import LABS
 from onika.desk.environment.session_start import digests
+from onika.files.state import session_log
 from onika.files.state.session_log import LogLine
 from onika.store.shipped import shipped
 from onika.store.site import OWN, Site, open_site
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
+_LONGEST = 60
 _TEXTS = frozenset(
     ("text", "description", "line", "picture", "command", "condition", "conditions", "flow", "tag", "note")
 )
@@ -69,17 +71,19 @@ class ReplayPlace:
         return not (self.holds(path) or path.is_relative_to(shipped().resolve()))
 
 
-def made(start: LogLine, bases: Sequence[Path], folder: Path, file: str) -> ReplayPlace:
-    """The place for a session that began so, with copies of these base directories, in their order; raises OSError."""
-    facts = start.record.get("start", {})
-    facts = facts if isinstance(facts, dict) else {}
+def made(lines: Sequence[LogLine], bases: Sequence[Path], folder: Path, file: str) -> ReplayPlace:
+    """The place for a session, with copies of these base directories, in their order; raises OSError.
+
+    Where the line with which it began lacks, nobody knows how files were then: they are taken as they are.
+    """
+    begun = session_log.beginning(lines)
+    facts: Mapping[str, Any] = (
+        _mapping(begun[0].record["start"]) if begun else {"bases": [{"name": base.name} for base in bases]}
+    )
     folder = folder.absolute()
     home = folder / "home"
-    home.mkdir(parents=True, exist_ok=True)
-    for name, text in _mapping(facts.get("own")).items():
-        if Path(name).name == name and isinstance(text, str):
-            (home / name).write_text(text, encoding="utf-8", errors="replace")
-    told_bases = [_mapping(base) for base in facts.get("bases", ())]
+    _own_files(facts, home)
+    told_bases = [_mapping(base) for base in _list(facts.get("bases"))]
     own_at = facts.get("own_at", -1)
     copies = [_copy_of(number, base, own_at, folder) for number, base in enumerate(told_bases)]
     for copy, base in zip(copies, bases, strict=False):
@@ -88,13 +92,21 @@ def made(start: LogLine, bases: Sequence[Path], folder: Path, file: str) -> Repl
     for copy in others:
         copy.mkdir(parents=True, exist_ok=True)
     names = {f"{{base{number}}}": str(copy) for number, copy in enumerate(copies)}
-    place = Place(file, start.number)
-    faults = [
-        fault
-        for base, copy in zip(told_bases, copies, strict=True)
-        for fault in _different(_mapping(base.get("files")), copy, place)
-    ]
-    return ReplayPlace(folder, open_site(others, {}, home), {**names, LABS: str(shipped())}, tuple(faults))
+    place = Place(file, (*begun, lines[0])[0].number)
+    if begun:
+        then = zip(told_bases, copies, strict=True)
+        faults = tuple(fault for base, copy in then for fault in _different(_mapping(base.get("files")), copy, place))
+    else:
+        faults = (Fault(place, Reason.of("replay.start_lacks"), Reason.of("replay.as_files_are")),)
+    return ReplayPlace(folder, open_site(others, {}, home), {**names, LABS: str(shipped())}, faults)
+
+
+def _own_files(facts: Mapping[str, Any], home: Path) -> None:
+    """What stood in the home of the user."""
+    home.mkdir(parents=True, exist_ok=True)
+    for name, text in _mapping(facts.get("own")).items():
+        if _is_plain(name) and name != OWN and isinstance(text, str):
+            (home / name).write_text(text, encoding="utf-8", errors="replace")
 
 
 def _copy_of(number: int, base: Mapping[str, Any], own_at: int, folder: Path) -> Path:
@@ -130,12 +142,22 @@ def _texts(value: Any) -> Iterator[str]:
 
 def _plain(name: Any, number: int) -> str:
     """The name of a folder as it was; one that leads elsewhere is not taken."""
-    is_plain = isinstance(name, str) and name not in ("", ".", "..") and Path(name).name == name
-    return str(name) if is_plain else f"base{number}"
+    return str(name) if _is_plain(name) else f"base{number}"
+
+
+def _is_plain(name: Any) -> bool:
+    """Whether a file can have this name, and it leads nowhere."""
+    if not isinstance(name, str) or name in ("", ".", ".."):
+        return False
+    return Path(name).name == name and name.isprintable() and len(name) <= _LONGEST
 
 
 def _mapping(value: Any) -> Mapping[str, Any]:
     return value if isinstance(value, dict) else {}
+
+
+def _list(value: Any) -> Sequence[Any]:
+    return value if isinstance(value, list) else ()
 
 
 def _inner(text: str) -> str:

@@ -25,6 +25,7 @@ from onika.desk.environment.replay.recorded_runtime import RecordedRuntime
 from onika.desk.environment.replay.replay_place import ReplayPlace
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.settings import Settings
+from onika.files.state import session_log
 from onika.files.state.session_log import LogLine
 from onika.wire import act
 from onika.words.fault import Fault, Place
@@ -50,7 +51,7 @@ class SessionPlayer:
         self._runtime = RecordedRuntime()
         self._waiting: dict[int, LogLine] = {}
         """Acts that are not answered yet, by their places."""
-        facts = dict(place.here(lines[0].record if lines else {})).get("start")
+        facts = dict(place.here(next((line.record for line in session_log.beginning(lines)), {}))).get("start")
         self._begin(facts if isinstance(facts, dict) else {}, handlers)
 
     def _begin(self, facts: Mapping[str, Any], handlers: Mapping[type, Handler]) -> None:
