@@ -134,6 +134,7 @@ export const enPerform = {
   'perform.workcell': 'Workcell',
   'perform.showWorkcell': 'Show the workcell',
   'perform.whichWorkcell': 'Which workcell',
+  'review.noWorkcell': 'Where its things stood is not in this recording.',
   'perform.noWorkcell': 'The workcell appears here when a run begins.',
 
   'stopped.title.blocked': '{flow} stopped: something is in the way',

@@ -136,6 +136,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.workcell': 'Célula',
   'perform.showWorkcell': 'Mostrar la célula',
   'perform.whichWorkcell': 'Qué célula',
+  'review.noWorkcell': 'Dónde estaban sus cosas no está en esta grabación.',
   'perform.noWorkcell': 'La célula aparece aquí cuando empieza una ejecución.',
 
   'stopped.title.blocked': '{flow} se detuvo: algo está en el camino',
