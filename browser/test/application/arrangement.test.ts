@@ -154,7 +154,8 @@ describe('the condition of a branch', () => {
   const LABEL = 30 // from the middle row of a condition's letters, which stand 21 above their lane, to its upper end
   const TIME = 16 // what stands beneath an icon while it runs
 
-  test('stands beneath the times of the row above', () => {  // R-D13
+  test('stands beneath the times of the row above', () => {
+    // R-D13
     const { cells, blocks } = arrange(content({ 0: '......B', '0/7/0': '.', '0/7/1': '.' }), frame(5))
     const [block] = blocks
     const above = cells.filter(({ flow, y }) => flow === '0' && y < block!.y).map(({ y }) => y + 64)
@@ -162,7 +163,8 @@ describe('the condition of a branch', () => {
     expect(block!.lanes[0]!.y - LABEL).toBeGreaterThan(Math.max(...above) + TIME)
   })
 
-  test('stands above that of a branch with which its lane begins', () => {  // R-D13
+  test('stands above that of a branch with which its lane begins', () => {
+    // R-D13
     const { blocks } = arrange(content({ 0: 'B', '0/1/0': 'B', '0/1/1': '.', '0/1/0/2/0': '.' }), frame(12))
     const [inner, outer] = [...blocks].sort((a, b) => b.x - a.x)
     expect(inner!.y).toBe(outer!.y)
@@ -170,7 +172,8 @@ describe('the condition of a branch', () => {
     expect(outer!.above).toBe(2 * inner!.above)
   })
 
-  test('leaves the line between two rows free', () => {  // R-D13
+  test('leaves the line between two rows free', () => {
+    // R-D13
     const { wraps, blocks } = arrange(content({ 0: '.........B', '0/10/0': '.' }), frame(5))
     expect(wraps.map(({ above }) => above)).toEqual([0, blocks[0]!.above])
   })
