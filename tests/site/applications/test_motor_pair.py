@@ -11,14 +11,14 @@ from onika.cli import main
 pytestmark = pytest.mark.site
 
 PRESSED = """
-wait began flow0 6
-wait 1
-touch motor_pair panic_left 1
-wait stopped flow0
-touch motor_pair panic_left 0
+wait began {flow} {action}
+wait {after}
+touch motor_pair panic_{side} 1
+wait stopped {flow}
+touch motor_pair panic_{side} 0
 wait 0.5
-clear flow0
-wait done flow0 6
+clear {flow}
+wait done {flow} {action}
 """
 SHIPPED = Path(onika.__file__).parent / "labs" / "motor" / "appl" / "motor_together.appl"
 KINEMATIC = ("--redirect", "motor_left=motor_left_kin", "--redirect", "motor_right=motor_right_kin")
@@ -49,12 +49,22 @@ def test_where_the_lid_is_let_go_beside_the_rotor_the_lamp_stays_dark(capsys, tm
     assert (code, result["state"], result["values"]) == (1, "completed", {"LAMP": 0})
 
 
-def test_the_panic_button_in_the_middle_is_cleared_and_the_motor_completed(capsys, tmp_path):  # R-K06, R-E08
+@pytest.mark.parametrize(
+    ("side", "flow", "action", "after"),
+    [
+        ("left", "flow0", 6, 1),  # with the rotor in the air
+        ("right", "flow1", 6, 1),  # with the lid in the air
+        ("right", "flow1", 8, 0.3),  # while it goes down until it meets something
+    ],
+)
+def test_the_panic_button_in_the_middle_is_cleared_and_the_motor_completed(
+    capsys, tmp_path, side, flow, action, after
+):  # R-K06, R-E08
     script = tmp_path / "panic"
-    script.write_text(PRESSED)
+    script.write_text(PRESSED.format(side=side, flow=flow, action=action, after=after))
     code, lines, result = assembled(capsys, "--script", str(script))
     assert (code, result["state"], result["actions_done"]) == (0, "completed", 24)
-    drives = [line["state"] for line in lines if line.get("device") == "motor_pair:arm_left"]
+    drives = [line["state"] for line in lines if line.get("device") == f"motor_pair:arm_{side}"]
     pressed = drives.index("PRESSED")
     assert drives[pressed - 1 : pressed + 4] == ["DRIVEN", "PRESSED", "TRIPPED", "HELD", "DRIVEN"]
 
