@@ -42,6 +42,7 @@ PUBLISHED = {
     "humanoid": (GYM, "envs/mujoco/assets/humanoid.xml", 4),
     "half cheetah": (GYM, "envs/mujoco/assets/half_cheetah.xml", 3),
     "SO-101": (SO101, "assets/SO101/so101_new_calib.xml", 5),
+    "SO-101 as URDF": (SO101, "assets/SO101/so101_new_calib.urdf", 5),
     "SO ARM100": (SOARM, "assets/so-arm100.xml", 5),
     "Panda": (SUITE, "models/assets/robots/panda/robot.xml", 7),
     "ant": (GYM, "envs/mujoco/assets/ant.xml", 2),

@@ -7,6 +7,7 @@ from itertools import pairwise
 import pytest
 
 from kit.labs.composed_job import Composer
+from kit.labs.random_arm import NAME, random_arm
 from onika.cli import main
 from onika.laws import adept_one, puma560
 from onika.record.reader import Reader
@@ -41,10 +42,15 @@ FEW, MANY = range(0, 8, 2), range(100)
 
 def tried(seed, path, capsys):
     """Put one together, carry it out, and look at all that is left."""
-    site = open_site((), {}, None)
     names = sorted(ARMS)
     arm = names[seed % len(names)]
-    composed = Composer(site, site.syntax()[0], seed).job(path, arm, ARMS[arm])
+    return carried_out(seed, path, capsys, arm, ARMS[arm])
+
+
+def carried_out(seed, path, capsys, arm, limits):
+    """The same for this hardware task, which is shipped or stands at the path."""
+    site = open_site((path,), {}, None)
+    composed = Composer(site, site.syntax()[0], seed).job(path, arm, limits)
     record = path / "run.mcap"
     options = ["--virtual", "--json", "--no-black-box", "--record", str(record), "--script", str(composed.script)]
     code = main(
@@ -57,7 +63,7 @@ def tried(seed, path, capsys):
     assert code in (0, 1, 2, 3), about
     words_where_it_cannot_be(result, about)
     if record.is_file():
-        sound(record, ARMS[arm], about)
+        sound(record, limits, about)
     return result["state"]
 
 
@@ -103,3 +109,16 @@ def test_a_job_of_any_modules_runs_or_says_why_not(seed, tmp_path, capsys):  # R
 @pytest.mark.parametrize("seed", MANY)
 def test_a_hundred_jobs_of_any_modules_run_or_say_why_not(seed, tmp_path, capsys):  # R-K05, R-X14
     tried(100 + seed, tmp_path, capsys)
+
+
+@pytest.mark.site
+@pytest.mark.parametrize("seed", FEW[:3])
+def test_a_job_of_any_modules_on_an_arm_that_nobody_has_built_runs_or_says_why_not(seed, tmp_path, capsys):  # R-X19
+    carried_out(seed, tmp_path, capsys, NAME, random_arm(tmp_path, seed).limits)
+
+
+@pytest.mark.site
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", MANY)
+def test_a_hundred_jobs_on_as_many_arms_that_nobody_has_built_run_or_say_why_not(seed, tmp_path, capsys):  # R-X19
+    carried_out(100 + seed, tmp_path, capsys, NAME, random_arm(tmp_path, 100 + seed).limits)

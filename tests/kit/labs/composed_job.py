@@ -64,7 +64,7 @@ class Composer:
             chosen.append(trigger)
         lab = Laboratory(path)
         blocks = [placed(task.name, task.frequency or 50.0, *lines.get(task.name, ())) for task in [arm, *chosen]]
-        (path / "conf").mkdir(parents=True)
+        (path / "conf").mkdir(parents=True, exist_ok=True)
         (path / "conf" / "triedC.conf").write_text("\n".join(["VERSION     2.0\n", *blocks, "EOF\n"]))
         kind = trigger.object_type or "Complete job"
         icons = [job("triedC", kind)]

@@ -1,10 +1,11 @@
 """A robot compiled by itself."""
 
+import mujoco
 import pytest
 
 from kit.worlds.file_cells import ARM, CELL, changed, files_of
 from kit.worlds.robot_models import PLAIN
-from onika.model.robot import RobotText
+from onika.model.robot import RobotGripper, RobotText
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.workcell.composed.robot_model import compiled, held_by_mocap, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
@@ -130,3 +131,19 @@ def test_a_motor_that_is_added_is_one_whatever_the_model_says_of_its_own_servos(
     assert model.nu == 2
     assert not model.actuator_biasprm.any() and (model.actuator_gainprm[:, 0] == 1.0).all()
     assert not model.actuator_ctrllimited.any()
+
+
+def test_a_light_finger_of_a_urdf_feels_a_gear_behind_its_motor_and_the_arm_does_not():  # R-X19
+    jaw = URDF.replace("</robot>", """<link name="jaw"><inertial><mass value="0.01"/>
+<inertia ixx="1e-5" iyy="1e-5" izz="1e-5" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="bite" type="revolute"><parent link="arm"/><child link="jaw"/><axis xyz="0 1 0"/>
+<limit lower="-0.2" upper="1.7" effort="12" velocity="1"/></joint></robot>""")  # fmt: skip
+    files = WorldSource("new", "", (WorldFile("robot/new.urdf", "/lab/new.urdf", jaw.encode()),))
+    gripper = RobotGripper("gripper", ("bite",), (12.0, 0.05), (-12.0, 0.0))
+    model = compiled(robot_spec(SourceTexts(files), RobotText("new", "new.urdf", devices=(gripper,))))
+    assert [float(model.dof_armature[model.joint(name).dofadr[0]]) for name in ("hinge", "bite")] == [0.0, 0.02]
+    data = mujoco.MjData(model)
+    data.actuator("bite").ctrl[0] = -12.0
+    for _ in range(1000):
+        mujoco.mj_step(model, data)
+    assert -0.25 < data.joint("bite").qpos[0] < -0.19

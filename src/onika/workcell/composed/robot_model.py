@@ -26,6 +26,7 @@ HAND = "hand."
 ORIGIN = "robot.origin"
 """A site of every robot: the middle of its document, which is frame 0 where nothing bears the first joint."""
 
+_FASTEST = 600.0  # how much faster in a second its motor makes a finger at most (rad/s; m/s)
 _DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
 _URDF = ".urdf"
 _KEYWORDS = {"workcell.no_such_name": "ON"}
@@ -78,6 +79,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
         body.gravcomp = 1.0  # there when it is compiled, so that a drive may bear the weight; a motor takes it back
     if not has_motors:
         _add_motors(spec, is_hand_driven=bool(len(spec.actuators)))
+        _gear_fingers(spec, robot)
     armature = [device.armature for device in robot.devices if isinstance(device, RobotArm) and device.armature]
     for joint in _moving(spec):
         joint.armature += armature[0] if armature else 0.0
@@ -241,6 +243,17 @@ def _add_motors(spec: mujoco.MjSpec, *, is_hand_driven: bool) -> None:
             actuator = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
             actuator.set_to_motor()  # a model may have defaults of servos, which would pull it to 0
             actuator.ctrllimited = False
+
+
+def _gear_fingers(spec: mujoco.MjSpec, robot: RobotText) -> None:
+    """Fingers that our motors move feel a gear behind them where the model says none, as no URDF can.
+
+    Without it a motor of 10 N m at a finger of some grams pushes it through its stop, which is soft, and on.
+    """
+    fingers = {name for device in robot.devices if isinstance(device, RobotGripper) for name in device.moves}
+    for joint in _moving(spec):
+        if joint.name in fingers and not np.any(joint.armature):
+            joint.armature = float(np.max(np.abs(joint.actfrcrange))) / _FASTEST
 
 
 def _moving(spec: mujoco.MjSpec) -> Iterator[Any]:
