@@ -85,7 +85,7 @@ def sound(record, limits, about):
             continue
         rows = [values for _, values in series.flat()]
         assert all(math.isfinite(value) for row in rows for value in row), f"{variable} {about}"
-        if variable == "Q_TRUE":
+        if variable == "Q_TRUE" and rows:  # none where a run ends before its first cycle
             stops_at_its_limits(rows, limits, about)
 
 
