@@ -52,7 +52,7 @@ def test_a_calibration_that_is_not_there_is_a_failure(study, capsys):  # R-H09
 
 @pytest.mark.site
 def test_it_is_done_in_the_workcell_in_which_the_page_will_run(study, capsys):  # R-H09
-    address = "onika://127.0.0.1:1"
+    address = "ws://127.0.0.1:1"
     assert prepare(study, "--runtime", address) == 1
     capsys.readouterr()
     assert prepare(study, "--runtime", address, "--uncalibrated") == 0
