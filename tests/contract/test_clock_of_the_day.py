@@ -19,6 +19,7 @@ OF_PEOPLE = {
     "desk/console/readings_log.py",
     "desk/environment/diary.py",
     "desk/environment/outcome/services.py",
+    "desk/joined/joint_recording.py",
     "host/recording/black_box.py",
     "host/recording/run_description.py",
     "host/sessions/site_clock.py",

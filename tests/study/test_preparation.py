@@ -93,7 +93,7 @@ def test_what_is_planned_touches_nothing(study):  # R-H09
     used(prepare(study, "s1"))
     assert planned(study, "s2").variant == "both"
     assert not (study / "sessions" / "s2").exists()
-    assert not (study / "logs").exists()
+    assert not (study / "logs" / "s1").exists()
 
 
 def test_what_the_browser_of_a_session_kept_goes_with_its_end(study):  # R-H09

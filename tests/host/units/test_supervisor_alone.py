@@ -230,7 +230,7 @@ def test_a_process_is_started_with_its_post_its_heartbeat_and_the_zero_of_time(s
     process = supervisor.launch("rt0", TITLE, "puppet", ("--name", "rt0"))
     (start,) = machine.starts
     assert (start.module, start.own_group) == ("puppet", False)
-    assert start.arguments == ("--beat-fd", "BEAT-FD", "--zero", "123", "--name", "rt0")
+    assert start.arguments == ("--name", "rt0", "--beat-fd", "BEAT-FD", "--zero", "123")
     assert start.memory.startswith("/memfd:onika-beat-rt0")
     Heartbeat(start.heartbeat).watch("it")
     assert process.heartbeat.task == "it"
