@@ -2,11 +2,12 @@ import json
 import os
 import signal
 import subprocess
+import time
 from pathlib import Path
 
 import pytest
 
-from kit.process.cli_process import ONIKA
+from kit.process.cli_process import ONIKA, CliProcess
 from kit.process.process_tree import runtime_of
 
 pytestmark = pytest.mark.site
@@ -44,3 +45,14 @@ def test_a_worker_that_is_killed_loses_no_run(tmp_path):  # R-X23
     assert process.returncode == 0
     results = {line["case"]["seed"]: line for line in map(json.loads, (first + rest).splitlines())}
     assert results == before
+
+
+def test_a_sweep_of_a_program_without_end_is_ended_by_one_control_c(tmp_path):  # R-X23, R-E10
+    words = ("sweep", "wave_on", "--seeds", "2", "--jobs", "1", "--out", str(tmp_path / "it.sweep"))
+    with CliProcess(*words) as program:
+        until = time.monotonic() + 60.0
+        while not any("onika.host.loading.loader" in words for words in program.processes().values()):
+            assert time.monotonic() < until
+        program.interrupt()
+        assert program.code() == 130
+        assert program.left_over() == []

@@ -16,7 +16,7 @@ class Runtimes:
 
     def __init__(self):
         self.lock = Lock()
-        self.begun = self.ended = 0
+        self.begun = self.ended = self.stopped = 0
         self.seeds = []
         self.breaks_at = None
 
@@ -31,6 +31,9 @@ class Runtimes:
     def __exit__(self, *_ending):
         with self.lock:
             self.ended += 1
+
+    def end_at_once(self):
+        self.stopped += 1
 
     def do(self, case, settings, limit_s):
         assert settings.seed == case.seed
@@ -64,7 +67,7 @@ def test_whoever_stops_listening_ends_it_and_every_runtime(runtimes):  # R-X23
     results = sweep(DESIGN, None, DESIGN.cases(), None, 1)
     next(results)
     results.close()
-    assert runtimes.begun == runtimes.ended == 1
+    assert runtimes.begun == runtimes.ended == runtimes.stopped == 1
     assert len(runtimes.seeds) <= 20
 
 

@@ -22,7 +22,7 @@ def sweep(
     prepared   the application of the design
     site       where the task is sought that could stand for one that is refused
 
-    Whoever stops listening ends it: what is under way then is finished and lost.
+    Whoever stops listening ends it at once: what is under way then is lost.
     """
     waiting: SimpleQueue[Case | None] = SimpleQueue()
     done: SimpleQueue[CaseResult | BaseException | None] = SimpleQueue()
@@ -33,7 +33,8 @@ def sweep(
     jobs = max(1, min(jobs, count))
     for _ in range(jobs):
         waiting.put(None)
-    threads = [Thread(target=_work, args=(design, prepared, site, waiting, done), daemon=True) for _ in range(jobs)]
+    runtimes = [WarmRuntime(prepared, site) for _ in range(jobs)]
+    threads = [Thread(target=_work, args=(design, each, waiting, done), daemon=True) for each in runtimes]
     for thread in threads:
         thread.start()
     try:
@@ -43,6 +44,10 @@ def sweep(
                 raise result
             if result is not None:
                 yield result
+    except BaseException:
+        for runtime in runtimes:
+            runtime.end_at_once()
+        raise
     finally:
         while not waiting.empty():
             waiting.get()
@@ -54,14 +59,13 @@ def sweep(
 
 def _work(
     design: SweepDesign,
-    prepared: PreparedRun,
-    site: Site,
+    warm_runtime: WarmRuntime,
     waiting: "SimpleQueue[Case | None]",
     done: "SimpleQueue[CaseResult | BaseException | None]",
 ) -> None:
     """One thread: a runtime, and cases until there is none."""
     try:
-        with WarmRuntime(prepared, site) as runtime:
+        with warm_runtime as runtime:
             while (case := waiting.get()) is not None:
                 done.put(runtime.do(case, design.settings_of(case), LONGEST_S))
     except BaseException as wrong:

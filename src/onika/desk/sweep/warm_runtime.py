@@ -26,7 +26,7 @@ class WarmRuntime:
         self._prepared = prepared
         self._site = site
         self._runtime: LaunchedRuntime | None = None
-        self._is_used = False
+        self._is_over = False
 
     def __enter__(self) -> "WarmRuntime":
         return self
@@ -43,9 +43,16 @@ class WarmRuntime:
                 return self._run(case, settings, limit_s)
             except (LinkLost, TimeoutError) as lost:
                 self.close()
-                if tried == _TRIES:
+                if tried == _TRIES or self._is_over:
                     return CaseResult(case, "lost", reason_of(lost))
         raise AssertionError("unreachable")
+
+    def end_at_once(self) -> None:
+        """From any thread: what is under way is lost, and nothing is done any more."""
+        self._is_over = True
+        runtime = self._runtime
+        if runtime is not None:
+            runtime.end_at_once()
 
     def _run(self, case: Case, settings: RunSettings, limit_s: float) -> CaseResult:
         def runtime_for(plan: Plan, values: WorldValues) -> LaunchedRuntime:
@@ -67,6 +74,8 @@ class WarmRuntime:
         if self._runtime is None:
             launched = LaunchedRuntime(rtpus_of(plan), True, False, (), has_black_box=False)
             self._runtime = launched.__enter__()
+        if self._is_over:  # since it was asked for
+            raise TimeoutError(Reason.of("trial.no_end"))
         answer = self._runtime.ask(live.Renew(shake, values))
         if not isinstance(answer, request.Done):
             raise TimeoutError(answer.reason if isinstance(answer, request.Refused) else NOTHING)
