@@ -12,9 +12,14 @@ pytestmark = [pytest.mark.site, pytest.mark.slow]
 
 SEEDS = 3
 LEFT_OUT = {
+    "find_twins": "asks for a folder",
+    "gather_pictures": "asks for a folder",
     "teach_by_pad": "waits for somebody at the pad",
     "wave_on": "has no end",
     "visit": "has a hole, for whoever visits something",
+    "workshop_drift": "shows how a fault ends a run",
+    "workshop_lost": "shows how a fault ends a run",
+    "workshop_stuck": "shows how a fault ends a run",
 }
 APPLICATIONS = sorted(Path(onika.__file__).parent.glob("labs/*/appl/*.appl"))
 
