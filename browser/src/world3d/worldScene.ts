@@ -4,11 +4,8 @@ import {
   AmbientLight,
   ArrowHelper,
   Box3,
-  BoxGeometry,
   BufferGeometry,
-  CapsuleGeometry,
   Color,
-  CylinderGeometry,
   DirectionalLight,
   DoubleSide,
   Fog,
@@ -20,10 +17,8 @@ import {
   MeshLambertMaterial,
   PCFShadowMap,
   PerspectiveCamera,
-  PlaneGeometry,
   PointLight,
   Scene,
-  SphereGeometry,
   SRGBColorSpace,
   Vector3,
   WebGLRenderer,
@@ -32,18 +27,19 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
 import { movedBodies, posture, type Hinge, type Pose } from '../geom/chain'
+import { distanceTo, FROM } from './framing'
+import { Ghosts } from './ghosts'
 import { Handle, type Place } from './handle'
 import { Knobs } from './knobs'
 import { hitUnder, placeUnder } from './picking'
+import { geometryOf } from './shapeGeometry'
 import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
 
-const ENDLESS = 30
 /** Nobody sees more pictures than these, and nobody sees a smaller move: 0.2 mm, or as much of a turn. */
 const APART_MS = 33
 const SEEN = 0.0002
 /** Of its time a picture leaves so much to all else: without graphics hardware it is made by the processor that drives the arm. */
 const REST = 3
-const FROM = new Vector3(-1.15, -1.55, 0.75).normalize() // where one looks from at first
 /** How long the arrow at a place that is pointed at is, in m. */
 const ARROW = 0.12
 /** Paint of a lamp's glass. */
@@ -65,8 +61,7 @@ export class WorldScene {
   private readonly bulbs: MeshLambertMaterial[] = []
   private readonly floors: MeshLambertMaterial[] = []
   private readonly hinges: ReadonlyMap<number, Hinge>
-  private readonly ghosts = new Map<number, Group>()
-  private readonly ghostly = new MeshLambertMaterial({ transparent: true, opacity: 0.42, depthWrite: false })
+  private readonly ghosts: Ghosts
   private readonly grid = new GridHelper(12, 40)
   private readonly arrow = new ArrowHelper(new Vector3(0, 0, -1), new Vector3(), ARROW, '#2f7fd8', ARROW / 3, ARROW / 6)
   private readonly lights: { sky: HemisphereLight; window: DirectionalLight; lamp?: PointLight }
@@ -87,6 +82,7 @@ export class WorldScene {
     this.bodies = bodiesOf(world)
     this.hinges = new Map(world.shapes.flatMap(({ body, hinge }) => (hinge ? [[body, hinge] as const] : [])))
     this.groups = Array.from({ length: this.bodies }, () => new Group())
+    this.ghosts = new Ghosts(this.scene, this.groups)
     this.arrow.visible = false
     this.knobs = new Knobs(world.buttons ?? {})
     this.scene.add(...this.groups, this.knobs.group, this.arrow, this.handle.ring)
@@ -123,14 +119,7 @@ export class WorldScene {
   /** A second arm, seen through, where the joints of an arm would bring it; without one there is none. */
   haunt(arm: string, joints: readonly number[], isBeyond = false): void {
     const poses = this.posed.length ? posture(this.hinges, arm, joints, (body) => this.poseOf(body)) : new Map()
-    for (const [body, group] of this.ghosts) group.visible = poses.has(body)
-    for (const [body, [x, y, z, qw, qx, qy, qz]] of poses as Map<number, Pose>) {
-      const group = this.ghosts.get(body) ?? this.ghostOf(body)
-      group.visible = true
-      group.position.set(x, y, z)
-      group.quaternion.set(qx, qy, qz, qw)
-    }
-    this.ghostly.color.set(isBeyond ? '#d03020' : '#2f7fd8')
+    this.ghosts.stand(poses as ReadonlyMap<number, Pose>, isBeyond)
     this.draw()
   }
 
@@ -205,25 +194,8 @@ export class WorldScene {
       part.geometry.dispose()
       part.geometry = geometry
     }
-    for (const ghost of this.ghosts.values()) ghost.removeFromParent()
-    this.ghosts.clear()
+    this.ghosts.forget()
     this.draw()
-  }
-
-  /** The shapes of a body once more. */
-  private ghostOf(body: number): Group {
-    const ghost = new Group()
-    for (const part of this.groups[body]?.children ?? []) {
-      if (!(part instanceof Mesh)) continue
-      const mesh = new Mesh(part.geometry as BufferGeometry, this.ghostly)
-      mesh.position.copy(part.position)
-      mesh.quaternion.copy(part.quaternion)
-      mesh.scale.copy(part.scale)
-      ghost.add(mesh)
-    }
-    this.ghosts.set(body, ghost)
-    this.scene.add(ghost)
-    return ghost
   }
 
   /** Lamps shine or do not. */
@@ -376,46 +348,9 @@ export class WorldScene {
   }
 }
 
-/** From how far a box is seen whole about its middle, where `slope` is how much a view of 1 m in depth shows each way. */
-export function distanceTo(box: Box3, middle: Vector3, slope: number): number {
-  const { min, max } = box
-  let far = 0
-  for (const x of [min.x, max.x])
-    for (const y of [min.y, max.y])
-      for (const z of [min.z, max.z]) {
-        const corner = new Vector3(x, y, z).sub(middle)
-        const depth = corner.dot(FROM)
-        const aside = Math.sqrt(Math.max(0, corner.lengthSq() - depth * depth))
-        far = Math.max(far, depth + aside / slope)
-      }
-  return far
-}
-
 /** Whether every body has a direction: rows that nobody has filled yet are all zero. */
 function isWhole(rows: Float32Array): boolean {
   for (let k = 0; k < rows.length; k += ROW)
     if (!rows.subarray(k + 3, k + ROW).some((value) => Math.abs(value) > SEEN)) return false
   return true
-}
-
-/** The shapes of a scene, a mesh as the box around it; those of other kinds (height fields) are not drawn. */
-function geometryOf({ kind, size }: Shape): BufferGeometry | undefined {
-  const [a, b, c] = size
-  switch (kind) {
-    case 'plane':
-      return new PlaneGeometry(a ? 2 * a : ENDLESS, b ? 2 * b : ENDLESS)
-    case 'box':
-    case 'mesh':
-      return new BoxGeometry(2 * a, 2 * b, 2 * c)
-    case 'sphere':
-      return new SphereGeometry(a, 24, 16)
-    case 'ellipsoid':
-      return new SphereGeometry(1, 24, 16)
-    case 'cylinder':
-      return new CylinderGeometry(a, a, 2 * b, 32).rotateX(Math.PI / 2)
-    case 'capsule':
-      return new CapsuleGeometry(a, 2 * b, 8, 20).rotateX(Math.PI / 2)
-    default:
-      return undefined
-  }
 }
