@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from time import monotonic_ns
 
 from onika.host.units import rtpu
+from onika.host.units.child_process import serve_forks
 from onika.host.units.supervisor import Supervisor
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -119,6 +120,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=3.0)
     parser.add_argument("--rounds", type=int, default=3)
     given = parser.parse_args()
+    serve_forks()  # units begin as those of a runtime do
     late: dict[tuple[str, str], list[int]] = {}
     missed: dict[tuple[str, str], int] = {}
     for _ in range(given.rounds):
