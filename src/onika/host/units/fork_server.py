@@ -196,11 +196,10 @@ def _place(descriptors: Sequence[int], numbers: Sequence[int]) -> None:
     os.dup2(empty, 0)
     for descriptor, number in zip(moved, numbers, strict=True):
         os.dup2(descriptor, number, inheritable=False)
-    kept = sorted(numbers)
-    for low, high in zip(
-        [_STANDARD, *(number + 1 for number in kept)], [*kept, os.sysconf("SC_OPEN_MAX")], strict=True
-    ):
-        os.closerange(low, high)
+    first = _STANDARD
+    for number in (*sorted(numbers), os.sysconf("SC_OPEN_MAX")):
+        os.closerange(first, number)
+        first = number + 1
 
 
 def _end_with(work: Callable[[], None]) -> NoReturn:
