@@ -110,7 +110,7 @@ TAKEN = {
     "Executive._run_due": "import onika.runtime.execution.executive as e; e.Executive._run_due = lambda *given: None",
     "RunningTask.cycle": "import onika.runtime.execution.running_task as e; e.RunningTask.cycle = lambda *given: None",
     "Rtpu._tell": "sys.modules['onika.host.units.rtpu'].Rtpu._tell = lambda *given: None",
-    "ProcessSocket.send": "import onika.host.units.process_socket as e; e.ProcessSocket.send = lambda *given: None",
+    "ProcessSocket.send": "import onika.host.processes.process_socket as e; e.ProcessSocket.send = lambda *given: None",
 }
 
 

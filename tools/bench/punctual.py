@@ -15,8 +15,8 @@ import sys
 from collections.abc import Iterable
 from time import monotonic_ns
 
+from onika.host.processes.child_process import serve_forks
 from onika.host.units import rtpu
-from onika.host.units.child_process import serve_forks
 from onika.host.units.supervisor import Supervisor
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -40,7 +40,7 @@ class Late(Module):
 
 BARE = """
 import json, sys, time
-from onika.host.units.realtime_scheduling import become_real_time
+from onika.host.processes.realtime_scheduling import become_real_time
 become_real_time(sys.argv[1] == "fifo")
 period, late = 2_000_000, []
 until = time.monotonic_ns() + round(float(sys.argv[2]) * 1e9)

@@ -21,8 +21,8 @@ import numpy as np
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import Preparation, prepare
+from onika.host.processes.realtime_scheduling import still_garbage
 from onika.host.program import RuntimeProgram
-from onika.host.units.realtime_scheduling import still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.wire import event, request

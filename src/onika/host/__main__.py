@@ -7,9 +7,9 @@ import secrets
 import sys
 
 from onika.host.loading.loader_start import start_loader
+from onika.host.processes.child_process import serve_forks
+from onika.host.processes.output_pipe import open_output_pipes
 from onika.host.runtime_options import options
-from onika.host.units.child_process import serve_forks
-from onika.host.units.output_pipe import open_output_pipes
 from onika.link.launcher import die_with_parent
 from onika.runtime.partner.address import OWN_NAME
 from onika.words.own_language import own_language

@@ -19,6 +19,7 @@ from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.host.loading.pose_solution import solve
 from onika.host.loading.world_kinds import world_list
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.recording.sampling import Sampling
 from onika.host.renewal import Renewal
@@ -34,7 +35,6 @@ from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.subsystems.unit_starts import UnitStarts
-from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role

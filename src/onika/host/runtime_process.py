@@ -24,6 +24,8 @@ from onika.host.guards.watchman import Watchman
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.loading.loader_start import LoaderStart
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.processes.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.program import RuntimeProgram
 from onika.host.recording.black_box_holder import BlackBoxHolder, HolderProcess, InProcessHolder
 from onika.host.renewal import Renewal
@@ -36,8 +38,6 @@ from onika.host.sessions.request_server import RequestServer
 from onika.host.sessions.site_clock import SiteClock
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.garbage import Garbage
-from onika.host.units.preloaded_libraries import preload
-from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world

@@ -7,6 +7,7 @@ import pytest
 from kit.process.next_message import next_message
 from kit.record.recording_builder import run
 from onika.desk.run.run_review import Review
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording import black_box_process
 from onika.host.recording.black_box_orders import (
     CloseBlackBox,
@@ -20,7 +21,6 @@ from onika.host.recording.black_box_orders import (
 )
 from onika.host.recording.last_seconds import TracedVariables
 from onika.host.recording.recorded_variable import places_of
-from onika.host.units.process_socket import ProcessSocket
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
 from onika.words.shape import Shape

@@ -6,11 +6,11 @@ import numpy as np
 
 from kit.process.next_message import next_message
 from kit.record.recording_builder import run
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording import recording_process
 from onika.host.recording.recorded_variable import VariablePlace
 from onika.host.recording.recording_sink import AddVariables, BeginRecording, FinishRecording, encode
 from onika.host.units.pose_stream import WorldPoses
-from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.reader import Reader
 from onika.record.run import RunRecord

@@ -8,10 +8,10 @@ import pytest
 
 from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import ProcessSocket
 from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment

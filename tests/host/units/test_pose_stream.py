@@ -1,7 +1,7 @@
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units import pose_stream
 from onika.host.units.device_server import decode_word
 from onika.host.units.pose_stream import PoseStream
-from onika.host.units.process_socket import ProcessSocket
 
 MS = 1_000_000
 

@@ -6,9 +6,9 @@ from time import monotonic_ns
 
 import pytest
 
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units import rtpu as room
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import Rtpu, Share, UnitReady
 from onika.ring.segment import Segment
 from onika.runtime import command, news, table as tables

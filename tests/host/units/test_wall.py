@@ -8,9 +8,9 @@ from kit.plans.plan_builder import PlanBuilder, action
 from kit.worlds.box_cells import boxes_files
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.run.runner import Runner
 from onika.host.units.device_servers import DEVICES
-from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.supervisor import Supervisor
 from onika.host.units.wall import WallDriver
 from onika.ring.segment import Segment

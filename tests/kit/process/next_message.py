@@ -3,7 +3,7 @@
 import select
 from time import monotonic
 
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.process_socket import ProcessSocket
 
 _PATIENCE_S = 30.0
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from onika.host.units.realtime_scheduling import fine_timers, still_garbage
+from onika.host.processes.realtime_scheduling import fine_timers, still_garbage
 from onika.link.launcher import ONE_THREAD
 
 Figures = Mapping[str, float | list[float]]

@@ -40,9 +40,9 @@ from onika.host.loading.loader_messages import (
 )
 from onika.host.loading.loader_start import LoaderStart, start_loader
 from onika.host.loading.module_facts import ModuleFacts
-from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.preloaded_libraries import preload
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units.world_sources import packed, unpacked
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment

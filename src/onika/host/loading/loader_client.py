@@ -34,7 +34,7 @@ from onika.host.loading.loader_messages import (
     Sheet,
     WorldFaults,
 )
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units.world_sources import WorldSources
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet

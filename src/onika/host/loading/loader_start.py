@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from onika.host.units.child_process import ChildProcess, start
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.child_process import ChildProcess, start
+from onika.host.processes.process_socket import ProcessSocket
 
 
 class LoaderStart(NamedTuple):

@@ -13,6 +13,7 @@ from pathlib import Path
 from time import monotonic_ns
 from typing import Protocol
 
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.black_box_orders import BlackBoxWritten, CloseBlackBox, KeepBlackBox, OpenBlackBox
 from onika.host.recording.boxed_subject import BoxedSubject, Incident, incident_of, is_fault, standing_of
@@ -20,7 +21,6 @@ from onika.host.recording.last_seconds import TracedEvent
 from onika.host.recording.met_variables import MetVariables
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.driver_clock import DriverClock
-from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.black_box_folder import black_box_path, fault_path
 from onika.record.run import RunRecord, ending, standing

@@ -7,6 +7,8 @@ import subprocess
 from collections.abc import Sequence
 from typing import Protocol
 
+from onika.host.processes.child_process import start
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.black_box_orders import (
     BlackBoxWritten,
     CloseBlackBox,
@@ -20,8 +22,6 @@ from onika.host.recording.black_box_orders import (
 )
 from onika.host.recording.held_run import HeldRun
 from onika.host.recording.last_seconds import TracedEvent, TracedVariables
-from onika.host.units.child_process import start
-from onika.host.units.process_socket import ProcessSocket
 from onika.record.run import RunRecord
 from onika.ring.segment import Segment
 

@@ -13,6 +13,9 @@ import sys
 from collections.abc import Sequence
 from time import monotonic_ns, sleep
 
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.process_socket import ProcessSocket
+from onika.host.processes.realtime_scheduling import still_garbage
 from onika.host.recording.black_box_orders import (
     CloseBlackBox,
     DescribeBlackBox,
@@ -25,9 +28,6 @@ from onika.host.recording.black_box_orders import (
 )
 from onika.host.recording.held_run import HeldRun
 from onika.host.recording.last_seconds import TracedEvent, TracedVariables
-from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.process_socket import ProcessSocket
-from onika.host.units.realtime_scheduling import still_garbage
 from onika.record.run import RunRecord
 from onika.ring.segment import Segment
 from onika.words.reason import Reason

@@ -6,13 +6,13 @@ of it, the tasks go on.
 
 from collections.abc import Callable
 
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.recorded_worlds import RecordedDriver
 from onika.host.recording.recording_place import not_whole
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.recording.subsystem_recording import SubsystemRecording
 from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
-from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.wire import event, live, request
 from onika.words.reason import NOTHING, Reason

@@ -9,6 +9,7 @@ from time import monotonic_ns
 
 from onika.host.loading.loader_client import NotYet
 from onika.host.loading.plan_preparation import Preparation
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.recorded_variable import places_of
 from onika.host.recording.recorded_worlds import RecordedDriver, RecordedWorlds
 from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints, not_whole
@@ -17,7 +18,6 @@ from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun, variable_units
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
-from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.run import ending
 from onika.wire import event, request

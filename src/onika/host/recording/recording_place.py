@@ -8,10 +8,10 @@ from contextlib import suppress
 from time import monotonic_ns
 from typing import Protocol
 
+from onika.host.processes.child_process import start
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording import recording_process
 from onika.host.recording.recording_sink import AddMessage, DescribeRecording, Order, RecordingSink, encode
-from onika.host.units.child_process import start
-from onika.host.units.process_socket import ProcessSocket
 from onika.process.guard import is_stopped
 from onika.record.run import RunRecord
 from onika.record.writer import Writer

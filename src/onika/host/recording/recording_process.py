@@ -15,6 +15,9 @@ from time import monotonic_ns
 from msgspec import Struct, msgpack
 from msgspec.structs import replace
 
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.process_socket import ProcessSocket
+from onika.host.processes.realtime_scheduling import fine_timers, first_in_first_out, still_garbage
 from onika.host.recording.recording_sink import (
     AddVariables,
     BeginRecording,
@@ -24,10 +27,7 @@ from onika.host.recording.recording_sink import (
     RecordingSink,
     decode,
 )
-from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.pose_stream import WorldPoses
-from onika.host.units.process_socket import ProcessSocket
-from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out, still_garbage
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment

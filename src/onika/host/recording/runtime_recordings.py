@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.hand_held import HandHeld
@@ -13,7 +14,6 @@ from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
-from onika.host.units.process_socket import ProcessSocket
 from onika.record.black_box_folder import clear_unfinished
 from onika.wire import event, request
 

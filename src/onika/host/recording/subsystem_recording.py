@@ -10,6 +10,7 @@ from time import monotonic_ns
 
 from msgspec.structs import replace
 
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.recording.met_variables import MetVariables
 from onika.host.recording.recorded_variable import VariablePlace
 from onika.host.recording.recorded_worlds import RecordedDriver, RecordedWorlds
@@ -17,7 +18,6 @@ from onika.host.recording.recorder import look_period_ns
 from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints
 from onika.host.recording.recording_sink import AddMessage, AddVariables, BeginRecording, FinishRecording
 from onika.host.subsystems.live_subsystem import LiveSubsystem
-from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.run import RunRecord, closing
 from onika.wire import event, request

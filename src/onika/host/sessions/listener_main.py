@@ -16,6 +16,8 @@ from functools import partial
 
 from msgspec import msgpack
 
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.sessions.admission import Admission, LetIn
 from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
 from onika.host.sessions.listen_options import ListenerSettings, context
@@ -29,8 +31,6 @@ from onika.host.sessions.listener_process import (
 )
 from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import Users
-from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.process_socket import ProcessSocket
 from onika.link.channel import Channel
 from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent

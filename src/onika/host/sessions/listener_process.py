@@ -10,10 +10,10 @@ from time import monotonic, monotonic_ns
 
 from msgspec import Struct, msgpack
 
+from onika.host.processes.child_process import ChildProcess, start
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.sessions.admission import from_near
 from onika.host.sessions.listen_options import ListenerSettings
-from onika.host.units.child_process import ChildProcess, start
-from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction

@@ -13,12 +13,12 @@ from typing import Protocol
 from msgspec.structs import replace
 
 from onika.files.state.access import STRANGERS, WRITING, Access, guard
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.sessions.listen_options import ListenerSettings, ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.request_backlog import Answer
 from onika.host.sessions.request_server import ConnectionSource
 from onika.host.sessions.users import User
-from onika.host.units.process_socket import ProcessSocket
 from onika.link.address import is_near, split_host
 from onika.link.caller import Role
 from onika.link.token import digest, new_token

@@ -10,12 +10,12 @@ from typing import Any
 
 from msgspec import Struct, msgpack
 
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.processes.process_socket import ProcessSocket
+from onika.host.processes.realtime_scheduling import become_real_time
 from onika.host.units.heartbeat import Heartbeat
-from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.pose_stream import PoseStream, WorldPoses
-from onika.host.units.preloaded_libraries import preload
-from onika.host.units.process_socket import ProcessSocket
-from onika.host.units.realtime_scheduling import become_real_time
 from onika.host.units.served_worlds import ServedWorlds
 from onika.host.units.world_registry import open_world
 from onika.host.units.world_sources import unpacked

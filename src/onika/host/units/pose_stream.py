@@ -4,7 +4,7 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.process_socket import ProcessSocket
 
 _EVERY_NS = 33_000_000
 _MOST_WAITING = 100

@@ -14,12 +14,12 @@ from onika.host.guards.code_guard import CodeGuard, own_code
 from onika.host.guards.code_watch import CodeWatch
 from onika.host.guards.descriptor_guard import DescriptorGuard
 from onika.host.guards.memory_limit import bound
+from onika.host.processes.output_pipe import open_output_pipes
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.processes.process_socket import ProcessSocket
+from onika.host.processes.realtime_scheduling import become_real_time
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
-from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.preloaded_libraries import preload
-from onika.host.units.process_socket import ProcessSocket
-from onika.host.units.realtime_scheduling import become_real_time
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment
 from onika.runtime import command, news

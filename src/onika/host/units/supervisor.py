@@ -4,9 +4,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from time import monotonic_ns
 
-from onika.host.units.child_process import ChildProcess, start
+from onika.host.processes.child_process import ChildProcess, start
+from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import ProcessSocket
 from onika.process.guard import is_stopped
 from onika.ring.segment import Segment
 from onika.words.reason import NOTHING, Reason

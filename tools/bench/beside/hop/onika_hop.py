@@ -12,7 +12,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.hop.partner import either, start
 from beside.hop.vector import BYTES, SIZE, hops
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.process_socket import ProcessSocket
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 
-from onika.host.units.realtime_scheduling import fine_timers, still_garbage
+from onika.host.processes.realtime_scheduling import fine_timers, still_garbage
 from onika.link.launcher import die_with_parent
 
 _WORD = "partner"

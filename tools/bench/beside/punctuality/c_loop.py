@@ -7,7 +7,7 @@ from pathlib import Path
 
 from beside.contestant import Figures, serve
 from beside.punctuality.lateness import PERIOD_NS, figures, is_fifo_granted
-from onika.host.units.realtime_scheduling import PRIORITY
+from onika.host.processes.realtime_scheduling import PRIORITY
 
 SOURCE = Path(__file__).with_name("loop.c")
 

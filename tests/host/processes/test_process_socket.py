@@ -4,7 +4,7 @@ import select
 from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.process_socket import ProcessSocket
 
 
 def pair():

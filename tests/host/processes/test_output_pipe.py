@@ -2,8 +2,8 @@ import os
 
 import pytest
 
-from onika.host.units import output_pipe
-from onika.host.units.output_pipe import OutputPipe
+from onika.host.processes import output_pipe
+from onika.host.processes.output_pipe import OutputPipe
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from onika.host.units import realtime_scheduling
+from onika.host.processes import realtime_scheduling
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def test_what_is_refused_is_told_and_not_raised(monkeypatch):  # law 31
 
 def test_a_process_takes_what_is_granted_and_says_so():  # law 31
     code = (
-        "from onika.host.units.realtime_scheduling import become_real_time\n"
+        "from onika.host.processes.realtime_scheduling import become_real_time\n"
         "import gc, os\n"
         "granted = become_real_time(False)\n"
         "print(sorted(granted), granted['SCHED_FIFO'], gc.isenabled(), os.sched_getscheduler(0) == os.SCHED_OTHER)\n"
@@ -43,7 +43,7 @@ def test_a_process_takes_what_is_granted_and_says_so():  # law 31
 
 def test_the_real_time_class_is_what_the_operating_system_says():  # law 31
     code = (
-        "from onika.host.units.realtime_scheduling import first_in_first_out\n"
+        "from onika.host.processes.realtime_scheduling import first_in_first_out\n"
         "import os\n"
         "print(first_in_first_out() == bool(os.sched_getscheduler(0) & os.SCHED_FIFO))\n"
     )

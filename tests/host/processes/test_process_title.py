@@ -3,7 +3,7 @@ import sys
 
 TITLED = """
 from pathlib import Path
-from onika.host.units.process_title import entitle
+from onika.host.processes.process_title import entitle
 room = len(Path("/proc/self/cmdline").read_bytes())
 for title in ("short", "x" * 10_000):
     entitle(title)

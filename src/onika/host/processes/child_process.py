@@ -6,7 +6,7 @@ import subprocess
 import sys
 from typing import Protocol
 
-from onika.host.units.fork_server import BeginProcess, ForkServer
+from onika.host.processes.fork_server import BeginProcess, ForkServer
 from onika.link.launcher import ONE_THREAD, UNDRAWN
 
 

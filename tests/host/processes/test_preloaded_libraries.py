@@ -1,6 +1,6 @@
 import sys
 
-from onika.host.units import preloaded_libraries
+from onika.host.processes import preloaded_libraries
 
 
 def test_a_library_that_is_missing_is_no_fault_until_a_module_needs_it(monkeypatch):  # law 21

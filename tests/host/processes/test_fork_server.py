@@ -31,7 +31,7 @@ def main(words):
 
 RUNTIME = """
 import os, signal, socket, subprocess, sys, time
-from onika.host.units.fork_server import BeginProcess, ForkServer
+from onika.host.processes.fork_server import BeginProcess, ForkServer
 
 secret = os.open("/dev/zero", os.O_RDONLY)
 server = ForkServer()

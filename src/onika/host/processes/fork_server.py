@@ -22,9 +22,9 @@ from typing import NoReturn
 
 from msgspec import Struct, msgpack
 
-from onika.host.units.forked_process import ForkedProcess
-from onika.host.units.preloaded_libraries import preload
-from onika.host.units.process_title import entitle
+from onika.host.processes.forked_process import ForkedProcess
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.processes.process_title import entitle
 from onika.link.launcher import ONE_THREAD, UNDRAWN, die_with_parent
 from onika.process.guard import is_stopped
 

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from onika.host.units.forked_process import ForkedProcess
+from onika.host.processes.forked_process import ForkedProcess
 
 
 def sleeper():

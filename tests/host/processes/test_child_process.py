@@ -2,8 +2,8 @@ import os
 import subprocess
 import sys
 
-from onika.host.units.child_process import start
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.child_process import start
+from onika.host.processes.process_socket import ProcessSocket
 
 ECHO = """
 import argparse, os, socket, sys
@@ -48,8 +48,8 @@ def test_where_the_fork_server_has_ended_a_process_is_started_by_itself(tmp_path
     (tmp_path / "echo_back.py").write_text(ECHO)
     script = """
 import os, signal, sys
-from onika.host.units.child_process import serve_forks, start
-from onika.host.units.process_socket import ProcessSocket
+from onika.host.processes.child_process import serve_forks, start
+from onika.host.processes.process_socket import ProcessSocket
 serve_forks()
 (server,) = map(int, open(f"/proc/{os.getpid()}/task/{os.getpid()}/children").read().split())
 for blow in (0, signal.SIGKILL, 0):
