@@ -32,6 +32,7 @@ def test_a_lock_is_read_as_it_was_written():  # R-X16
             next_key=KEY,
             agreed={},
             bases={"module/pd.rmod": "5a" * 32},
+            has_all_rights=True,
         ),
     )
     assert library_lock.read(library_lock.write(both), "onika.lock", "onika.lock") == (both, ())

@@ -58,6 +58,10 @@ def _sweep(name: str, site: Site) -> int:
     job = lone_job(name, site)
     if isinstance(job, Fault) or job.plan is None:
         return _refused((job,) if isinstance(job, Fault) else job.faults)
+    foreign = next((code.module for code in job.plan.code if code.is_sandboxed), None)
+    if foreign is not None:
+        print(say(Reason.of("desk.sandboxed_code", module=foreign)), file=sys.stderr)
+        return 2
     preparation = prepare(job.plan, job.targets, ModuleFacts())
     if preparation.faults:
         return _refused(preparation.faults)

@@ -28,11 +28,13 @@ _LIBRARY = (
     KeywordSlot("SIGNER"),
     KeywordSlot("INDEX"),
     KeywordSlot("NEXTKEY", Need.OPTIONAL),
+    KeywordSlot("RIGHTS", Need.OPTIONAL),
     KeywordSlot("FILE", Need.OPTIONAL, many=True),
     KeywordSlot("WRITES", Need.OPTIONAL, many=True),
     KeywordSlot("MAY", Need.OPTIONAL, many=True),
     KeywordSlot("BASE", Need.OPTIONAL, many=True),
 )
+_ALL = "all"
 _DIGEST = re.compile(r"sha256:([0-9a-f]{64})\Z")
 _NUMBER = re.compile(r"[0-9]{1,9}\Z")
 
@@ -75,6 +77,8 @@ class LockedLibrary:
     """By tasks."""
     bases: Mapping[str, str] = field(default_factory=dict)
     """The SHA-256 of what own copies of files began with, where that is no more what the library has; by paths."""
+    has_all_rights: bool = False
+    """Whether its code may do what its user may; else it may compute, and nothing else."""
 
 
 def read(text: str, _name: str, place_file: str) -> tuple[tuple[LockedLibrary, ...] | None, tuple[Fault, ...]]:
@@ -107,6 +111,7 @@ def write(libraries: Iterable[LockedLibrary], _former: str = "") -> str:
             row("INDEX", str(library.version), f"sha256:{library.index}", library.until.isoformat()),
         ]
         parts += [row("NEXTKEY", library.next_key)] if library.next_key else []
+        parts += [row("RIGHTS", _ALL)] if library.has_all_rights else []
         parts += [
             row("FILE", path, f"sha256:{file.digest}", str(file.size)) for path, file in sorted(library.files.items())
         ]
@@ -128,13 +133,7 @@ def _library(block: Sequence[FileLine], reading: TextReading) -> LockedLibrary |
         return None
     head, signer, index = (by_keyword[keyword][0] for keyword in ("LIBRARY", "SIGNER", "INDEX"))
     next_key = by_keyword["NEXTKEY"][0].rest if by_keyword["NEXTKEY"] else ""
-    pinned, wrong = _pinned(index), None
-    if len(head.words) < 2 or not TASK_NAME.match(head.words[0]):
-        wrong = head
-    elif not signer.words or not KEY.match(signer.words[0]):
-        wrong = signer
-    elif next_key and not KEY.match(next_key):
-        wrong = by_keyword["NEXTKEY"][0]
+    pinned, wrong = _pinned(index), _wrong_line(by_keyword)
     if wrong is not None or pinned is None:
         _wrong(wrong or index, reading)
         return None
@@ -151,7 +150,20 @@ def _library(block: Sequence[FileLine], reading: TextReading) -> LockedLibrary |
         _files(by_keyword["FILE"], reading),
         _agreed(by_keyword["WRITES"], by_keyword["MAY"], reading),
         _bases(by_keyword["BASE"], reading),
+        has_all_rights=bool(by_keyword["RIGHTS"]),
     )
+
+
+def _wrong_line(by_keyword: Mapping[str, Sequence[FileLine]]) -> FileLine | None:
+    """The first line of a block, but for the index and the lists, that says what cannot be."""
+    head, signer = by_keyword["LIBRARY"][0], by_keyword["SIGNER"][0]
+    if len(head.words) < 2 or not TASK_NAME.match(head.words[0]):
+        return head
+    if not signer.words or not KEY.match(signer.words[0]):
+        return signer
+    wrong = [line for line in by_keyword["NEXTKEY"] if line.rest and not KEY.match(line.rest)]
+    wrong += [line for line in by_keyword["RIGHTS"] if line.rest != _ALL]
+    return next(iter(wrong), None)
 
 
 def _pinned(line: FileLine) -> tuple[int, str, date] | None:

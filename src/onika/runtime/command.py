@@ -3,6 +3,7 @@
 import msgspec
 from msgspec import Struct
 
+from onika.wire.sheet import ModuleSheet
 from onika.words.reason import Reason
 
 
@@ -50,6 +51,13 @@ class Spawn(Struct, frozen=True, tag=True):
     """What loading and `init` are expected to take; 0: carry it out at once, whatever is ON (law 21)."""
     init_ns: int = 0
     """The part of it that `init` takes; 0: nobody knows, as long as loading."""
+    sandboxed_as: ModuleSheet | None = None
+    """Where its module is in a sandbox that was begun for it: what it has to declare there, for it may lie (R-X16)."""
+
+    @property
+    def is_sandboxed(self) -> bool:
+        """Whether its module is in a process that can do nothing but compute."""
+        return self.sandboxed_as is not None
 
 
 class Launch(Struct, frozen=True):

@@ -81,6 +81,11 @@ class Device:
         self._fetch()
         return self._values
 
+    def newest(self) -> "tuple[int, NDArray[np.float64]]":
+        """How often the device has published, and all that it says: time and drive state, then the values."""
+        self._fetch()
+        return self._words[0], self._state
+
     def picture(self) -> "NDArray[np.uint8]":
         """The newest picture of a camera, uint8[H,W,3] as red, green, blue from the top left; the same array each time.
 

@@ -10,6 +10,9 @@ class _Sentence(Exception):
     Without arguments the sentence is taken as it is.
     """
 
+    raised_at: tuple[str, int, str] | None = None
+    """File, line and traceback, where it was raised in another process."""
+
     def __init__(self, sentence: Sentence = NOTHING, /, **arguments: object) -> None:
         super().__init__(of_sentence(sentence, arguments))
 
@@ -24,3 +27,7 @@ class LawBroken(ModuleError):
 
 class AskAgain(_Sentence):
     """Raised by `on`: the input cannot be used, for this reason; the user is asked again."""
+
+
+class RaisedElsewhere(_Sentence):
+    """What else a module's code has raised in another process; its sentence is as it is to be shown."""

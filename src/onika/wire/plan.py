@@ -90,6 +90,8 @@ class Code(Struct, frozen=True):
     path: str
     """Where the environment read it; for messages and tracebacks."""
     source: str
+    is_sandboxed: bool = False
+    """Whether it is of a library of others that has no rights here: it may compute, and nothing else (R-X16)."""
 
 
 class PlannedTask(Struct, frozen=True):

@@ -11,12 +11,19 @@ from onika.words.reason import Reason
 def test_every_offer_says_what_was_found_and_what_lacking_it_costs():  # law 31
     every = list(features())
     names = [str(feature.name) for feature in every]
-    assert names[:5] == ["system", "python", "processors", "SCHED_FIFO", "memory lock"]
+    assert names[:6] == ["system", "python", "processors", "SCHED_FIFO", "memory lock", "sandbox"]
     assert {"numpy", "msgspec", "mujoco", "ruckig", "rich", "graphics"} <= set(names)
     for feature in every:
         assert feature.actual
         assert "\n" not in str(feature.actual)
         assert feature.is_there or feature.cost
+
+
+def test_where_the_kernel_has_no_landlock_it_is_told_what_that_costs(monkeypatch):  # R-X16
+    monkeypatch.setattr(machine.confinement, "level", lambda: 0)
+    sandbox = machine._sandbox()
+    assert (sandbox.is_there, str(sandbox.actual)) == (False, "not there")
+    assert "is not run" in str(sandbox.cost)
 
 
 def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31

@@ -25,6 +25,7 @@ class NotedSupervisor:
 
     def __init__(self, sent):
         self._sent = sent
+        self.with_fifo = False
 
     def launch(self, name, *_, **__):
         return NotedProcess(name, self._sent)
@@ -35,6 +36,7 @@ class NotedServers:
 
     def __init__(self, sent):
         self._sent = sent
+        self.with_fifo = False
 
     def stop(self):
         self._sent.append(("devices", "stop"))

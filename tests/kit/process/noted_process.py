@@ -38,6 +38,7 @@ class NotedSupervisor:
         self.processes: dict[str, NotedProcess] = {}
         self.launched: dict[str, tuple[Any, ...]] = {}
         self.refusal: Exception | None = None
+        self.with_fifo = False
 
     def launch(
         self, name: str, title: Reason, module: str, arguments: tuple[str, ...] = (), *, has_modules: bool = False

@@ -57,6 +57,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     trust = _subscriber(acts.add_parser("trust", help=say(Reason.of("cli.library_trust"))))
     trust.add_argument("name", metavar="NAME")
     trust.add_argument("signer", metavar="SHA256:…")
+    rights = _subscriber(acts.add_parser("rights", help=say(Reason.of("cli.library_rights"))))
+    rights.add_argument("name", metavar="NAME")
+    rights.add_argument("rights", choices=("all", "compute"))
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -205,6 +208,17 @@ def _trust(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
     return _no(trusted.sentence) if isinstance(trusted, Refusal) else 0
 
 
+def _rights(given: argparse.Namespace, libraries: RemoteLibraries) -> int:
+    library = libraries.find(given.name)
+    if library is None:
+        return _no(Reason.of("store.library_unknown", library=given.name))
+    changed = libraries.give_rights(library, has_all_rights=given.rights == "all")
+    if isinstance(changed, Refusal):
+        return _no(changed.sentence)
+    print(say(listing_text.rights(changed)))
+    return 0
+
+
 _ACTS: Mapping[str, Callable[[argparse.Namespace, RemoteLibraries], int]] = {
     "add": _add,
     "list": _list,
@@ -214,6 +228,7 @@ _ACTS: Mapping[str, Callable[[argparse.Namespace, RemoteLibraries], int]] = {
     "send": lambda given, libraries: sending.carry_out(given, libraries, _today()),
     "remove": _remove,
     "trust": _trust,
+    "rights": _rights,
 }
 
 

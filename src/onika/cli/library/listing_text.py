@@ -59,12 +59,19 @@ def offered(offer: Offer) -> Iterator[Reason]:
     writes = frozenset[str]().union(*(agreement.writes for agreement in every))
     touches = frozenset[str]().union(*(agreement.touches for agreement in every))
     yield from _does(Agreement(writes, touches))
+    yield Reason.of("cli.library_will_compute")
+
+
+def rights(library: LockedLibrary) -> Reason:
+    """What its code may do here."""
+    key = "cli.library_has_rights" if library.has_all_rights else "cli.library_computes"
+    return Reason.of(key, library=library.name)
 
 
 def listed(library: LockedLibrary, lacking: int) -> Reason:
     """A library that is used."""
     return Reason.of(
-        "cli.library_used",
+        "cli.library_used_with_rights" if library.has_all_rights else "cli.library_used",
         library=library.name,
         version=library.version,
         until=library.until.isoformat(),

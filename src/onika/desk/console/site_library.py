@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
-from hashlib import sha256
 from pathlib import Path
 
 import msgspec
 
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.desk.plan.declarations import declared_inputs, declared_ports
+from onika.desk.plan.module_code import module_code
 from onika.desk.plan.target_inputs import measured_kinds
 from onika.model.configuration import Configuration, Placed
 from onika.model.syntax import IconType, Syntax
@@ -108,7 +108,7 @@ class SiteLibrary:
                     Place(str(path)), Reason.of("desk.source_unreadable", module=module, why=reason_of(wrong)), _INSTEAD
                 ),
             )
-        return Code(sha256(source.encode()).hexdigest(), module, str(path), source), ()
+        return module_code(module, path, source), ()
 
     def arguments(self, text: str) -> tuple[str, Faults]:
         """An argument line: as it is, or the values of a target where it says `@TARGET`."""

@@ -1,8 +1,8 @@
 """The compiler: turns an application, with all that it needs, into the plan that a runtime executes (§5.9.2)."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from hashlib import sha256
 
+from onika.desk.plan.module_code import module_code
 from onika.desk.plan.sequence import FlowSequence, SequencedAction, Sequencer, plain_type
 from onika.files import text
 from onika.model.application import Icon
@@ -85,7 +85,7 @@ class Compiler:
         return tuple(gathered)
 
     def _code(self) -> tuple[Code, ...]:
-        objections = []
+        codes = []
         for module in sorted({task.module for task in self._program.tasks.values()}):
             path = self._program.code.get(module)
             if path is None:
@@ -96,10 +96,10 @@ class Compiler:
             self.faults += faults
             if source is None:
                 continue
-            digest = sha256(source.encode()).hexdigest()
-            self._digests[module] = digest
-            objections.append(Code(digest, module, str(path), source))
-        return tuple(objections)
+            code = module_code(module, path, source)
+            self._digests[module] = code.digest
+            codes.append(code)
+        return tuple(codes)
 
     def _flow(self, number: int, line: FlowSequence) -> PlannedFlow:
         tasks: dict[str, PlannedTask] = {}

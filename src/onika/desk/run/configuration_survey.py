@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
+from onika.desk.plan.module_code import module_code
 from onika.files import conf, text
 from onika.files.line import parse_line
 from onika.model.configuration import Configuration
@@ -103,7 +103,7 @@ def surveyed(files: Sequence[Path], site: Site) -> list[SurveyedConfiguration]:
 
 def _code(module: str, path: Path) -> Code | None:
     source, _ = text.load(path, str(path))
-    return None if source is None else Code(sha256(source.encode()).hexdigest(), module, str(path), source)
+    return None if source is None else module_code(module, path, source)
 
 
 def _lines(content: str) -> dict[str, int]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from importlib import metadata
 
 from onika.desk.run.world_picture import DRAWER, NO_OPENGL
+from onika.process import confinement, system_calls
 from onika.words.reason import NOTHING, Reason
 
 
@@ -30,6 +31,7 @@ def features() -> Iterator[Feature]:
     yield _processors()
     yield _fifo()
     yield _memory_lock()
+    yield _sandbox()
     yield from (_library(name, Reason.of(cost)) for name, cost in _LIBRARIES)
     yield _graphics()
 
@@ -80,6 +82,14 @@ def _memory_lock() -> Feature:
     limit = Reason.of("desk.machine_unlimited") if free else Reason.plain(f"{soft // 1024} KiB")
     cost = Reason.of("desk.cost_memory_lock")
     return Feature(Reason.of("desk.machine_memory_lock"), free or soft >= 1 << 28, limit, cost)
+
+
+def _sandbox() -> Feature:
+    """Whether code of others can be confined, without which it is not run."""
+    level = confinement.level()
+    is_there = bool(level) and system_calls.can_be_left_out()
+    actual = Reason.plain(f"Landlock {level}") if is_there else Reason.of("desk.machine_not_there")
+    return Feature(Reason.of("desk.machine_sandbox"), is_there, actual, Reason.of("desk.cost_sandbox"))
 
 
 def _library(name: str, cost: Reason) -> Feature:

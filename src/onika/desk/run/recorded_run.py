@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from msgspec import structs
 
+from onika.desk.plan.module_code import with_rights_here
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run.settings import RecordingSource
 from onika.record import topics
@@ -88,7 +89,8 @@ def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
     whole_ns = -1 if reader.is_whole else reader.span[1]
     until_ns = whole_ns if source.at_s is None else round(source.at_s * 1e9)
     prepare = run.prepare
-    prepared = PreparedRun(prepare.plan.application, None, prepare.plan, prepare.targets, ())
+    plan = structs.replace(prepare.plan, code=tuple(map(with_rights_here, prepare.plan.code)))
+    prepared = PreparedRun(plan.application, None, plan, prepare.targets, ())
     inputs = tuple(inputs_of(reader, until_ns))
     reader.close()
     cut_s = None if reader.is_whole or source.at_s is not None else last_s

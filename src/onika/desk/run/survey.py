@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
-from hashlib import sha256
 from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
+from onika.desk.plan.module_code import module_code
 from onika.desk.plan.placed_puzzle import PlacedPuzzle
 from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.world_survey import world_sources
@@ -285,4 +285,4 @@ def _code(path: Path, module: str, faults: list[Fault]) -> Code | None:
     faults += faults_of_file
     if source is None:
         return None
-    return Code(sha256(source.encode()).hexdigest(), module, str(path), source)
+    return module_code(module, path, source)

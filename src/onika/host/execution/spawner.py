@@ -88,6 +88,8 @@ class Spawner:
             self._reshaping.ports(subsystem, task)
         grant, load_ns = self._grants.get(task), self._load_ns[code.digest]
         order = subsystem.spawn(task, code.source, code.path, self._seed, grant, load_ns)
+        if code.is_sandboxed:
+            order = structs.replace(order, sandboxed_as=subsystem.members[task].wired.sheet)
         if task not in self._hurried:
             return order
         self._hurried.discard(task)

@@ -43,6 +43,7 @@ from onika.host.loading.module_facts import ModuleFacts
 from onika.host.processes.output_pipe import open_output_pipes
 from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.process_socket import ProcessSocket
+from onika.host.sandbox.sandbox_process import refusal
 from onika.host.units.world_sources import packed, unpacked
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment
@@ -50,13 +51,15 @@ from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 PATIENCE_S = 10.0
 """How long a module may take to be imported and looked at."""
 
 LONGEST = 1 << 17
 """Bytes of an answer: a module with a thousand ports needs less, and every system can send as much in one piece."""
+
+_ABOUT_WORLDS = (AskDevices, AskCompany, AskKind, AskWorldFaults)
 
 encode = msgpack.Encoder().encode
 decode_question = msgpack.Decoder(Question | TakeWorld).decode
@@ -66,20 +69,35 @@ decode_answer = msgpack.Decoder(Answer).decode
 class Loader:
     """The runtime's end of the loader process, which is started at once and again whenever it had to be ended.
 
-    `loader_start` is one that was started before.
+    `loader_start` is one that was started before. What is asked about modules of others, which may do nothing but
+    compute, is asked of a second process, which is confined and is started with the first such question.
     """
 
     def __init__(self, loader_start: LoaderStart | None = None, *, stays_inside: bool = False) -> None:
         self._stays_inside = stays_inside
         self._worlds: dict[str, Segment] = {}
-        self._current = loader_start or start_loader(stays_inside=stays_inside)
+        self._processes = {False: loader_start or self._started(is_confined=False)}
+        self._is_confined = False
+        """Whether the question under way is for the confined one."""
+
+    @property
+    def _current(self) -> LoaderStart:
+        return self._processes[self._is_confined]
 
     def close(self) -> None:
-        """End the process."""
-        self._current.end()
+        """End the processes."""
+        for process in self._processes.values():
+            process.end()
 
-    def _tell(self, world: str) -> None:
-        self._current.post.send(encode(TakeWorld(world)), (self._worlds[world].fd,))
+    def _started(self, *, is_confined: bool) -> LoaderStart:
+        """A new process, which knows the worlds."""
+        process = start_loader(stays_inside=self._stays_inside, is_confined=is_confined)
+        for world in self._worlds:
+            self._tell(process, world)
+        return process
+
+    def _tell(self, process: LoaderStart, world: str) -> None:
+        process.post.send(encode(TakeWorld(world)), (self._worlds[world].fd,))
 
     @property
     def post(self) -> ProcessSocket:
@@ -94,10 +112,14 @@ class Loader:
     def offer(self, files: WorldSource) -> None:
         """From now on this world is made of these files."""
         self._worlds[files.world] = packed(files)
-        self._tell(files.world)
+        for process in self._processes.values():
+            self._tell(process, files.world)
 
     def send(self, question: Question) -> None:
         """Ask; the answer comes in its time."""
+        self._is_confined = not isinstance(question, _ABOUT_WORLDS) and question.code.is_sandboxed
+        if self._is_confined not in self._processes:
+            self._processes[True] = self._started(is_confined=True)
         self._current.post.send(encode(question))
 
     def take(self) -> Answer | None:
@@ -110,10 +132,8 @@ class Loader:
         """The process died of a question or does not answer it: start another, and say what happened."""
         silent = Reason.of("host.loader_silent", seconds=PATIENCE_S)
         reason = Reason.of("host.loader_died") if self.is_lost else silent
-        self.close()
-        self._current = start_loader(stays_inside=self._stays_inside)
-        for world in self._worlds:
-            self._tell(world)
+        self._current.end()
+        self._processes[self._is_confined] = self._started(is_confined=self._is_confined)
         instead = Reason.of("host.module_not_used", module=code.module)
         return UnusableModule(FaultText(code.path, 0, reason, instead))
 
@@ -161,16 +181,19 @@ def _packed(question: Question, facts: ModuleFacts) -> bytes:
     body = encode(_answer(question, facts))
     if len(body) <= LONGEST:
         return body
-    place, module = _asked_about(question)
-    reason = Reason.of("host.answer_too_long", size=len(body), most=LONGEST)
-    return encode(_wrong(Fault(Place(place), reason, Reason.of("host.module_not_used", module=module))))
+    return encode(_refused(question, Reason.of("host.answer_too_long", size=len(body), most=LONGEST)))
 
 
 def _asked_about(question: Question) -> tuple[str, str]:
     """The file that a question is about, and its name."""
-    if isinstance(question, AskDevices | AskCompany | AskKind | AskWorldFaults):
+    if isinstance(question, _ABOUT_WORLDS):
         return question.world, question.world
     return question.code.path, question.code.module
+
+
+def _refused(question: Question, reason: Reason) -> UnusableModule:
+    place, module = _asked_about(question)
+    return _wrong(Fault(Place(place), reason, Reason.of("host.module_not_used", module=module)))
 
 
 def _world_faults(faults: tuple[Fault, ...]) -> WorldFaults:
@@ -187,6 +210,7 @@ def main(words: list[str]) -> None:
     parser.add_argument("--fd", type=int, required=True)
     parser.add_argument("--parent", type=int, required=True)
     parser.add_argument("--stays-inside", action="store_true")
+    parser.add_argument("--confined", action="store_true")
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -196,6 +220,7 @@ def main(words: list[str]) -> None:
     if given.stays_inside:
         stay_inside()
     post, loading = ProcessSocket(socket.socket(fileno=given.fd)), ModuleFacts(LoadAlarm().watch)
+    refused = refusal() if given.confined else NOTHING
     while not post.is_closed:
         select.select([post], [post] if post.is_waiting else [], [])
         post.flush()
@@ -204,6 +229,8 @@ def main(words: list[str]) -> None:
             question = decode_question(received[0])
             if isinstance(question, TakeWorld):
                 loading.offer([unpacked(received[1][0])])
+            elif refused:
+                post.send(encode(_refused(question, refused)))
             else:
                 post.send(_packed(question, loading))
 

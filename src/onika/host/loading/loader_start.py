@@ -19,8 +19,11 @@ class LoaderStart(NamedTuple):
         self.process.wait()
 
 
-def start_loader(*, stays_inside: bool = False) -> LoaderStart:
-    """Start one; with `stays_inside` what it executes reaches nothing outside. Raises OSError."""
+def start_loader(*, stays_inside: bool = False, is_confined: bool = False) -> LoaderStart:
+    """Start one; with `stays_inside` what it executes reaches nothing outside. Raises OSError.
+
+    One that is confined is for modules of others, which may compute and nothing else (requirement X16).
+    """
     ours, theirs = ProcessSocket.pair()
-    arguments = ("--stays-inside",) if stays_inside else ()
+    arguments = (*(("--stays-inside",) if stays_inside else ()), *(("--confined",) if is_confined else ()))
     return LoaderStart(ours, start("onika.host.loading.loader", theirs, arguments, own_group=True))

@@ -18,6 +18,7 @@ from onika.host.processes.output_pipe import open_output_pipes
 from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.process_socket import ProcessSocket
 from onika.host.processes.realtime_scheduling import become_real_time
+from onika.host.sandbox.sandbox_end import SandboxEnd
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.link.launcher import die_with_parent
@@ -43,6 +44,13 @@ class Unshare(Struct, frozen=True, tag=True):
     name: str
 
 
+class GiveSandbox(Struct, frozen=True, tag=True):
+    """The sandbox of a task that is still to come: its socket, its memory and its process come with this datagram."""
+
+    subsystem: str
+    task: str
+
+
 class UnitReady(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
@@ -50,7 +58,7 @@ class UnitReady(Struct, frozen=True, tag=True):
 
 
 encode = msgpack.Encoder().encode
-decode_command = msgpack.Decoder(Share | Unshare | command.Command).decode
+decode_command = msgpack.Decoder(Share | Unshare | GiveSandbox | command.Command).decode
 decode_news = msgpack.Decoder(list[UnitReady | news.News]).decode
 """News come as lists: what one command or cycle led to is one datagram."""
 
@@ -153,6 +161,10 @@ class Rtpu:
             order = decode_command(body)
             if isinstance(order, Share | Unshare):
                 self._share(order, descriptors)
+                continue
+            if isinstance(order, GiveSandbox):
+                sandbox = SandboxEnd.of_descriptors(*descriptors)
+                self._executive.give_sandbox((order.subsystem, order.task), sandbox)
                 continue
             slow = isinstance(order, command.Spawn | command.Swap | command.Reinit)
             if slow:

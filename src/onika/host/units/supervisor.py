@@ -103,7 +103,7 @@ class Supervisor:
 
     def __init__(self, zero_ns: int, with_fifo: bool) -> None:
         self._zero = zero_ns
-        self._with_fifo = with_fifo
+        self.with_fifo = with_fifo
         self.processes: dict[str, Supervised] = {}
 
     def launch(
@@ -113,7 +113,7 @@ class Supervisor:
         segment = Segment.create(f"beat-{name}", SIZE)
         ours, theirs = ProcessSocket.pair()
         words = (*arguments, "--beat-fd", str(segment.fd), "--zero", str(self._zero))
-        fifo = ("--fifo",) if self._with_fifo else ()
+        fifo = ("--fifo",) if self.with_fifo else ()
         process = start(module, theirs, words + fifo, (segment.fd,), own_group=has_modules)
         self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
         return self.processes[name]

@@ -6,6 +6,7 @@ All of them see the same memory. A unit that comes later is shown what there is 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+from onika.host.sandbox.sandboxes import BegunSandbox, Sandboxes
 from onika.host.units import rtpu
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.ring.begin_words import BeginWords
@@ -37,6 +38,9 @@ class UnitProcesses:
         self._shared: dict[str, Segment] = {}
         self._is_stopped = False
         self._starts: dict[str, _UnitStart] = {}
+        self._sandboxes = Sandboxes(with_fifo=supervisor.with_fifo)
+        self._given: list[BegunSandbox] = []
+        """What is on its way to units."""
         self._processes = {name: self._launch(name) for name in sorted(names)}
 
     @property
@@ -45,7 +49,10 @@ class UnitProcesses:
         return tuple(self._starts)
 
     def send(self, name: str, order: command.Command) -> None:
-        """Give a unit a command."""
+        """Give a unit a command; raises ValueError where a task needs a sandbox and there is none."""
+        spawn = order.spawn if isinstance(order, command.Swap) else order
+        if isinstance(spawn, command.Spawn) and spawn.is_sandboxed:
+            self._give_sandbox(name, spawn)
         self._processes[name].post.send(rtpu.encode(order))
 
     def begin_words(self, name: str) -> BeginWords:
@@ -93,8 +100,13 @@ class UnitProcesses:
         if self._is_stopped:
             self.send(name, command.Stop())
 
+    def close(self) -> None:
+        """End what was begun for them."""
+        self._sandboxes.close()
+
     def answer_starts(self, now_ns: int) -> None:
         """Whoever waits for a unit is answered when it is up; one that takes too long is ended."""
+        self._look_after_sandboxes()
         for name, start in list(self._starts.items()):
             process = self._processes[name]
             if process.is_up:
@@ -112,6 +124,24 @@ class UnitProcesses:
             return False
         start.answer(Reason.of("host.unit_not_started", name=process.title, why=reason))
         return True
+
+    def _give_sandbox(self, name: str, spawn: command.Spawn) -> None:
+        sandbox = self._sandboxes.begin(spawn, name)
+        self._given.append(sandbox)
+        given = rtpu.GiveSandbox(spawn.subsystem, spawn.task)
+        self._processes[name].post.send(rtpu.encode(given), sandbox.descriptors)
+        self._look_after_sandboxes()
+
+    def _look_after_sandboxes(self) -> None:
+        """What was given away is closed here when it was sent; those of units that are gone end."""
+        if self._given and not any(process.post.is_waiting for process in self._living()):
+            for sandbox in self._given:
+                sandbox.close()
+            self._given.clear()
+        for name, process in self._processes.items():
+            if process.is_lost:
+                self._sandboxes.end_of(name)
+        self._sandboxes.bury()
 
     def _living(self) -> list[Supervised]:
         return [process for process in self._processes.values() if not process.is_lost]

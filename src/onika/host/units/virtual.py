@@ -259,7 +259,8 @@ class VirtualDriver:
         return self._buses.watched()
 
     def close(self) -> None:
-        """Its worlds are no more."""
+        """Its worlds are no more, nor its sandboxes."""
+        self._units.close()
         self._buses.close()
 
     # Inner

@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import structs
 
+from onika.host.sandbox.sandbox_end import SandboxEnd
+from onika.host.sandbox.sandboxes import Sandboxes
 from onika.runtime import command, news
 from onika.runtime.execution.executive import Executive
 
@@ -19,6 +21,7 @@ class VirtualUnits:
 
     def __init__(self, names: Sequence[str], views: Mapping[str, memoryview], watch: Callable[[str], None]) -> None:
         self.names = frozenset(names)
+        self._begun = Sandboxes()
         self.executive = Executive("", views, watch)
         self.homes: dict[tuple[str, str], str] = {}
         """The unit of each task."""
@@ -35,12 +38,24 @@ class VirtualUnits:
         self.names |= {name}
 
     def send(self, name: str, order: command.Command) -> None:
-        """Give a unit a command; it is carried out when they are delivered."""
+        """Give a unit a command; it is carried out when they are delivered.
+
+        Raises ValueError where a task needs a sandbox and there is none.
+        """
+        spawn = order.spawn if isinstance(order, command.Swap) else order
+        if isinstance(spawn, command.Spawn) and spawn.is_sandboxed:
+            begun = self._begun.begin(spawn)
+            sandbox = SandboxEnd(begun.post, begun.memory, begun.process)
+            self.executive.give_sandbox((spawn.subsystem, spawn.task), sandbox)
         if isinstance(order, command.Spawn):
             order = structs.replace(order, cost_ns=0)  # it takes no virtual time
         elif isinstance(order, command.Swap):
             order = command.Swap(structs.replace(order.spawn, cost_ns=0))
         self._commands.append((name, order))
+
+    def close(self) -> None:
+        """End what was begun for tasks."""
+        self._begun.close()
 
     def send_all(self, order: command.Command) -> None:
         """Give it to each unit."""

@@ -262,6 +262,7 @@ class WallDriver:
     def close(self) -> None:
         """End every process."""
         self._supervisor.end()
+        self._units.close()
         for segment in self._segments:
             segment.close()
 

@@ -105,6 +105,8 @@ class DeferredCommands:
         """Do one step of one piece, the first for which there is room until the next release; give up old ones."""
         release = self._unit.scheduler.next_release()
         for piece in list(self._pieces):
+            if not self._unit.is_ready(piece.spawn):
+                continue
             gap = None if release is None else release - now
             if gap is None or gap >= self._need_ns(piece):
                 self._advance(piece, now, carry_out)
@@ -188,7 +190,7 @@ class DeferredCommands:
         """Compile, load, initialise: each is a step of its own."""
         spawn = piece.spawn
         piece.since, piece.largest_gap = now, 0
-        if piece.code is None:
+        if piece.code is None and not spawn.is_sandboxed:
             piece.code = compiled(spawn.source, spawn.path, spawn.module)
             return
         if piece.task is None:

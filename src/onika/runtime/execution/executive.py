@@ -22,6 +22,7 @@ from onika.runtime.execution.unit import Address, ProcessingUnit
 from onika.runtime.execution.whereabouts import Whereabouts
 from onika.runtime.modules.binding import Views
 from onika.runtime.modules.binding_guard import BindingChanged
+from onika.runtime.sandbox.sandboxed_module import Sandbox
 from onika.runtime.scheduler import TaskSlot
 
 _NOTHING: Sequence[news.News] = ()
@@ -61,6 +62,10 @@ class Executive:
     def tasks(self) -> dict[Address, RunningTask]:
         """Everything that lives here, by subsystem and name."""
         return self._unit.tasks
+
+    def give_sandbox(self, address: Address, sandbox: Sandbox) -> None:
+        """The sandbox that was begun for a task which is still to come, or for its code that is to be exchanged."""
+        self._unit.sandboxes[address] = sandbox
 
     # Commands
 

@@ -20,6 +20,7 @@ from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.partner.absence import without_partner
 from onika.runtime.partner.partner import Partner
 from onika.runtime.period import SLOWEST_GRID_NS, period_of
+from onika.runtime.sandbox.sandboxed_module import SandboxedModule
 from onika.runtime.scheduler import TaskSlot
 from onika.runtime.transfer.input_guard import InputGuard
 from onika.runtime.user_input import UserInput
@@ -42,7 +43,7 @@ class RunningTask:
         self.line = ""
         self.state = State.WAITING
         self.module = instantiate(cls, spawn, views)
-        self.binding = Binding(self.module, spawn, views)
+        self.binding = self._bound(spawn, views, None)
         self.binding_guard = BindingGuard(self.module)
         self.hardware = cls.hardware
         self.passive = cls.passive
@@ -180,7 +181,7 @@ class RunningTask:
         if local is not None:
             spawn = structs.replace(spawn, local=local)
         parameters = locals_of(type(self.module), dict(spawn.local))
-        self.binding = Binding(self.module, spawn, self._views, self.binding)
+        self.binding = self._bound(spawn, self._views, self.binding)
         former, self.binding_guard = self.binding_guard.known, BindingGuard(self.module)
         self.binding_guard.known = former
         if local is not None:
@@ -330,6 +331,12 @@ class RunningTask:
         self.binding_guard.check()
 
     # Inner
+
+    def _bound(self, spawn: Spawn, views: Views, former: Binding | None) -> Binding:
+        binding = Binding(self.module, spawn, views, former)
+        if isinstance(self.module, SandboxedModule):
+            self.module.bound_to(binding)
+        return binding
 
     def _make_input_guard(self) -> InputGuard:
         table = self._views[f"table:{self.spawn.subsystem}"]

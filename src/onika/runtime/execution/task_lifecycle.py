@@ -13,7 +13,9 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import Address, ProcessingUnit
 from onika.runtime.modules.code import load, raised, sayable
 from onika.runtime.modules.cycle_result import signal_of
+from onika.runtime.modules.module import Module
 from onika.runtime.prepared_switches import lines
+from onika.runtime.sandbox.sandboxed_class import load_sandboxed
 from onika.words.fault import Fault
 from onika.words.reason import NOTHING, Reason, reason_of
 
@@ -49,16 +51,19 @@ class TaskLifecycle:
         if entry == "spawn" and address in self._unit.tasks:
             self._unit.refuse(address, entry, Reason.of("runtime.lives_already"))
             return None
+        sandbox = self._unit.sandboxes.pop(address, None)
         self._entry_points.watch(f"{order.subsystem}/{order.task}")
         try:
-            cls = load(order.source, order.path, order.module, code)
-            if not isinstance(cls, Fault):
+            cls = load_sandboxed(order, sandbox) if order.is_sandboxed else _loaded(order, code)
+            if not isinstance(cls, Reason):
                 return RunningTask(order, cls, self._unit.views)
-            self._unit.refuse(address, entry, cls.sentence)
+            self._unit.refuse(address, entry, cls)
         except RAISED as wrong:
             self._unit.refuse(address, entry, raised(wrong, order.module))
         finally:
             self._entry_points.watch("")
+        if sandbox is not None:
+            sandbox.close()
         return None
 
     def initialise(self, task: RunningTask, now: int) -> None:
@@ -296,3 +301,9 @@ class TaskLifecycle:
             self._unlooked[task.address] = task
             return task.leave
         return task.off
+
+
+def _loaded(order: command.Spawn, code: CodeType | Fault | None) -> type[Module] | Reason:
+    """The class of a module of this process, or why there is none."""
+    cls = load(order.source, order.path, order.module, code)
+    return cls.sentence if isinstance(cls, Fault) else cls

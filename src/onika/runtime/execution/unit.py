@@ -6,9 +6,11 @@ from collections.abc import MutableMapping
 from onika.model.rules.starvation import starved
 from onika.ring.slots import Ring
 from onika.runtime import news
+from onika.runtime.command import Spawn
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.modules.binding import Views
 from onika.runtime.prepared_switches import PreparedSwitches
+from onika.runtime.sandbox.sandboxed_module import Sandbox
 from onika.runtime.scheduler import Scheduler, TaskSlot
 from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
 from onika.words.reason import NOTHING, Reason
@@ -23,6 +25,8 @@ class ProcessingUnit:
     def __init__(self, rtpu: str, views: Views) -> None:
         self.rtpu = rtpu
         self.views = views
+        self.sandboxes: dict[Address, Sandbox] = {}
+        """Those that were begun for tasks which are still to come."""
         self.tasks: dict[Address, RunningTask] = {}
         self.scheduler = Scheduler()
         self.slots: MutableMapping[TaskSlot, RunningTask] = {}
@@ -48,6 +52,11 @@ class ProcessingUnit:
     def refuse(self, address: Address, command: str, reason: Reason) -> None:
         """Say that a command was not carried out."""
         self.news.append(news.Refused(*address, command, reason))
+
+    def is_ready(self, spawn: Spawn) -> bool:
+        """Whether a task can be made without waiting: its sandbox, where it has one, has loaded the module."""
+        sandbox = self.sandboxes.get((spawn.subsystem, spawn.task)) if spawn.is_sandboxed else None
+        return sandbox is None or sandbox.is_heard
 
     def take_news(self) -> list[news.News]:
         """What was said since the last call."""

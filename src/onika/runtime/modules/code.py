@@ -4,6 +4,7 @@ import sys
 import traceback
 import types
 
+from onika.runtime.error import AskAgain, ModuleError, RaisedElsewhere
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
 from onika.words.module_sentence import of_module
@@ -66,6 +67,8 @@ def line_in(path: str, wrong: BaseException) -> int:
 
 def where(path: str, wrong: BaseException) -> tuple[str, int, str]:
     """File and line in which a module's code raised, and the traceback from there on."""
+    if isinstance(wrong, RaisedElsewhere | ModuleError | AskAgain) and wrong.raised_at is not None:
+        return wrong.raised_at
     frames = traceback.extract_tb(wrong.__traceback__)
     own = [index for index, frame in enumerate(frames) if frame.filename == path]
     if not own:
@@ -86,6 +89,8 @@ def traceback_text(wrong: BaseException) -> str:
 def raised(wrong: BaseException, module: str) -> Reason:
     """An exception of a module as a reason that can be shown: its kind and what it says."""
     sentence = wrong.args[0] if wrong.args else None
+    if isinstance(wrong, RaisedElsewhere) and isinstance(sentence, Reason):
+        return sayable(sentence, module)
     if not isinstance(sentence, Reason | KeyedSentence) or not sentence:
         return Reason.plain(traceback_text(wrong))
     return Reason.of("runtime.raised", kind=type(wrong).__name__, why=sayable(as_reason(sentence), module))

@@ -19,6 +19,7 @@ from onika.store.remote.agreement import agreement_of, further, stays_within
 from onika.store.remote.checkout_path import checkout_path
 from onika.store.remote.index_check import reopened
 from onika.store.remote.object_cache import ObjectCache, write_whole
+from onika.store.remote.rights import put_word
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -73,6 +74,7 @@ class Checkout:
                 faults.append(fault)
         try:
             folder = self.folder
+            put_word(folder, has_all_rights=self.locked.has_all_rights)
             make_own(folder)
             _prune(folder, wanted.keys())
             for path, file in wanted.items():
@@ -97,6 +99,7 @@ class Checkout:
     def remove(self) -> None:
         """Take the files away; what was fetched stays in the cache."""
         with suppress(OSError):
+            put_word(self.folder, has_all_rights=False)
             shutil.rmtree(self.folder)
 
     def _unlike(self, path: str, file: IndexedFile) -> Fault | None:

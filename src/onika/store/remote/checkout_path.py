@@ -17,4 +17,10 @@ def checkout_path(cache: Path, base: Path, library: str) -> Path:
 
 def is_checked_out(path: Path) -> bool:
     """Whether a file or directory is of a library of others."""
-    return _CHECKED_OUT.search(path.as_posix()) is not None
+    return checked_out_folder(path) is not None
+
+
+def checked_out_folder(path: Path) -> Path | None:
+    """The folder of the library of others that a file is of; None where it is of none."""
+    match = _CHECKED_OUT.search(path.as_posix())
+    return None if match is None else Path(path.as_posix()[: match.end()])

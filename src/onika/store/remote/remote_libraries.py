@@ -103,6 +103,7 @@ class RemoteLibraries:
         Of files before which own copies stand it is kept with what these were begun.
         """
         newer = locked_as(renewal.offer.found, library.address, library.trusted)
+        newer = replace(newer, has_all_rights=library.has_all_rights)
         now = ((path, file.digest) for path, file in newer.files.items())
         try:
             bases = bases_after(self.checkout(library), now)
@@ -123,6 +124,10 @@ class RemoteLibraries:
     def trust(self, library: LockedLibrary, signer: str, trusted: str) -> LockedLibrary | Refusal:
         """Trust another key from now on: what it signs may follow; what is locked stays as it is."""
         return self._saved(replace(library, signer=signer, trusted=trusted, next_key=""))
+
+    def give_rights(self, library: LockedLibrary, *, has_all_rights: bool) -> LockedLibrary | Refusal:
+        """Let its code do what its user may, or compute only; what runs already goes on as it was begun."""
+        return self._saved(replace(library, has_all_rights=has_all_rights))
 
     def remove(self, name: str) -> Refusal | None:
         """Use a library no longer."""

@@ -2,13 +2,13 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
 import msgspec
 
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.plan.compile import UNKNOWN, planned_task
+from onika.desk.plan.module_code import module_code
 from onika.model.configuration import Placed
 from onika.model.task import Task
 from onika.store.remote.library_fetcher import unfetched
@@ -56,7 +56,7 @@ def code_of(module: str, libraries: OpenLibraries, task: str) -> Code | Reason:
         source = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as wrong:
         return Reason.of("run.code_unreadable", path=str(path), why=str(wrong))
-    return Code(sha256(source.encode()).hexdigest(), module, str(path), source)
+    return module_code(module, path, source)
 
 
 def code_path(module: str, libraries: OpenLibraries, task: str) -> Path | None:

@@ -1,0 +1,212 @@
+"""What is said between a task and its module in a sandbox (requirement X16). Values of ports lie in shared memory."""
+
+import re
+from typing import Any
+
+import numpy as np
+from msgspec import Struct, msgpack
+
+from onika.model.signal import Signal, SignalKind
+from onika.runtime.command import DeviceGrant, Spawn
+from onika.runtime.modules.module import Module
+from onika.runtime.picture import picture_size
+from onika.words.reason import NOTHING, KeyedSentence, Reason, as_reason
+
+_ARRAY = 1
+"""The code of an array among the kinds of msgpack."""
+_PLAIN_NUMBERS = re.compile(r"[<>|=]?[?biuf][0-9]*\Z")
+
+
+class ClassPort(Struct, frozen=True):
+    """A port as the class declares it; `attribute` is its name in Python."""
+
+    attribute: str
+    kind: str
+    name: str
+    shape: str
+    unit: str
+    meaning: str
+    step: float | str | tuple[float | str, ...] | None
+
+
+class ClassInput(Struct, frozen=True):
+    """An input of the user."""
+
+    attribute: str
+    shape: str
+    unit: str
+    meaning: str
+    low: float | str | None
+    high: float | str | None
+    default: Any
+
+
+class ClassLocal(Struct, frozen=True):
+    """A parameter of the LOCAL block."""
+
+    attribute: str
+    shape: str
+    unit: str
+    meaning: str
+    default: Any
+    low: float | None
+    high: float | None
+
+
+class Declared(Struct, frozen=True, tag=True):
+    """The class was loaded: what it declares."""
+
+    ports: tuple[ClassPort, ...]
+    inputs: tuple[ClassInput, ...]
+    locals: tuple[ClassLocal, ...]
+    trigger: bool
+    passive: bool
+    hardware: bool
+    crit: int
+
+
+class NotLoaded(Struct, frozen=True, tag=True):
+    """The class could not be loaded, or the process could not be confined."""
+
+    reason: Reason
+
+
+class Load(Struct, frozen=True, tag=True):
+    """Load the module of this task."""
+
+    spawn: Spawn
+
+
+class PortPlace(Struct, frozen=True):
+    """Where the values of a port lie in the shared memory: bytes; its shape is resolved."""
+
+    port: str
+    shape: str
+    offset: int
+    size: int
+
+
+class Bind(Struct, frozen=True, tag=True):
+    """Make an instance, or bind the one there is anew: its ports and its parameters."""
+
+    ports: tuple[PortPlace, ...]
+    local: dict[str, Any]
+
+
+class Call(Struct, frozen=True, tag=True):
+    """Call an entry point with the values that lie in the shared memory."""
+
+    entry: str
+    now: float
+    dt: float
+    published: int = 0
+    """How often its device has published."""
+    given: tuple[Any, ...] = ()
+    in_force: frozenset[str] | None = None
+    """Before `on`: the ports whose value still steers something."""
+
+
+class Raised(Struct, frozen=True):
+    """What an entry point has raised."""
+
+    family: str
+    """`ask_again`, `module_error`, `law_broken`, or nothing for any other."""
+    why: Reason
+    path: str
+    line: int
+    trace: str
+
+
+class DeviceOrderGiven(Struct, frozen=True):
+    """What the module has last told its device: `drive`, `hold` or `clear`, and the values to drive it to."""
+
+    order: str
+    values: tuple[float, ...] = ()
+
+
+class Returned(Struct, frozen=True, tag=True):
+    """What came of a call."""
+
+    value: Any = None
+    signal: tuple[str, int, bool, int, Reason] | None = None
+    raised: Raised | None = None
+    warnings: tuple[Reason, ...] = ()
+    device: DeviceOrderGiven | None = None
+
+
+Answer = Declared | NotLoaded | Returned
+
+PREPARES = frozenset(("init", "reinit", "on"))
+"""The entry points before which all ports are shown; before others only the inputs of cycles: outputs are its own."""
+
+DEVICE_AT = 64
+"""Where in the shared memory what the device publishes lies; its picture, and the ports, lie behind."""
+
+
+def device_sizes(grant: DeviceGrant | None) -> tuple[int, int, int]:
+    """Bytes of what a device publishes, of what it is told, and of its picture; 0 where there is none."""
+    if grant is None:
+        return 0, 0, 0
+    picture = picture_size(grant.picture) if grant.picture else 0
+    return 8 * len(grant.state), 8 * (2 + len(grant.command)), picture
+
+
+def declared(cls: type[Module]) -> Declared:
+    """What a class declares."""
+    return Declared(
+        tuple(
+            ClassPort(attribute, port.kind.value, port.name, str(port.shape), port.unit, port.meaning, port.step)
+            for attribute, port in cls.declared_ports.items()
+        ),
+        tuple(
+            ClassInput(attribute, str(one.shape), one.unit, one.meaning, one.low, one.high, one.default)
+            for attribute, one in cls.declared_inputs.items()
+        ),
+        tuple(
+            ClassLocal(attribute, str(one.shape), one.unit, one.meaning, one.default, one.low, one.high)
+            for attribute, one in cls.declared_locals.items()
+        ),
+        cls.trigger,
+        cls.passive,
+        cls.hardware,
+        cls.crit,
+    )
+
+
+def as_said(sentence: object) -> Reason:
+    """What a module says as a reason."""
+    return as_reason(sentence) if isinstance(sentence, Reason | KeyedSentence) else Reason.plain(str(sentence))
+
+
+def signal_row(signal: Signal) -> tuple[str, int, bool, int, Reason]:
+    """A signal as it travels."""
+    text = signal.text if isinstance(signal.text, Reason) else Reason.plain(str(signal.text))
+    return signal.kind.value, int(signal.flow), bool(signal.loop), int(signal.number), text
+
+
+def signal_of_row(row: tuple[str, int, bool, int, Reason]) -> Signal:
+    """The signal of a row; raises ValueError where there is no such kind."""
+    kind, flow, loop, number, text = row
+    return Signal(SignalKind(kind), flow, loop, number, text or NOTHING)
+
+
+def _packed(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        head = f"{value.dtype.str} {' '.join(map(str, value.shape))}".encode()
+        return msgpack.Ext(_ARRAY, head + b"\n" + value.tobytes())
+    if isinstance(value, np.generic):
+        return value.item()
+    raise TypeError(f"expected numbers, texts or arrays, found {type(value).__name__}")
+
+
+def _unpacked(code: int, data: memoryview) -> Any:
+    head, _, body = bytes(data).partition(b"\n")
+    dtype, *dims = head.decode().split()
+    if code != _ARRAY or not _PLAIN_NUMBERS.match(dtype):
+        raise ValueError(f"expected an array of numbers, found {code} {dtype}")
+    return np.frombuffer(body, np.dtype(dtype)).reshape([int(dim) for dim in dims]).copy()
+
+
+encode = msgpack.Encoder(enc_hook=_packed).encode
+decode_order = msgpack.Decoder(Load | Bind | Call, ext_hook=_unpacked).decode
+decode_answer = msgpack.Decoder(Declared | NotLoaded | Returned, ext_hook=_unpacked).decode
