@@ -33,7 +33,7 @@ MakeJob Prefer Press Halt NewApplication InsertIcon InsertBranch SetConditions E
 MoveIcons CopyIcons CutIcons PasteIcons EditIcon SetBreakpoint SetSynchTag SetLoop RepeatSteps
 RemoveLoop AddFlow RemoveFlow SetParallel OpenDictionary CloseDictionary MakeTarget EditOnikon
 RemoveOnikon Continue KeepTest ListPuzzles BeginPuzzle"""
-OWNER = """StartAnew SetButton TakeLibrary DropLibrary SendBack AddPlace DropPlace TrustSite"""
+OWNER = """StartAnew SetButton TakeLibrary DropLibrary GiveLibraryRights SendBack AddPlace DropPlace TrustSite"""
 ROWS = dict(zip(Role, (WATCHER, OPERATOR, PROGRAMMER, OWNER), strict=True))
 KINDS = get_args(act.AnyAct)
 

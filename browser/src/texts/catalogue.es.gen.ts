@@ -275,7 +275,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.library_used": "{library} {version}, hasta {until}, de {address}, firmada por {signer}, de confianza {trusted}; {lacking} {lacking:plural:archivo|archivos} por traer",
   "cli.library_used_with_rights": "{library} {version}, hasta {until}, de {address}, firmada por {signer}, de confianza {trusted}; {lacking} {lacking:plural:archivo|archivos} por traer, todos los derechos",
   "cli.library_user": "nombre en {host} (nada: seguir sin él): ",
-  "cli.library_will_compute": "su código se ejecutará en un recinto aislado: calcula, sin sus archivos, sin red ni programas (onika library rights)",
+  "cli.library_will_compute": "su código se ejecutará en un recinto aislado: calcula, sin los archivos de usted, sin red ni programas (onika library rights)",
   "cli.library_writes": "sus tareas escriben {names}",
   "cli.listen_expected": "se esperaba --listen HOST:PORT junto a {option}, no está",
   "cli.listen_or_port": "se esperaba --listen HOST:PORT o --port; están los dos",

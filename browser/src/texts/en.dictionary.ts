@@ -178,9 +178,20 @@ export const enDictionary = {
   'remote.upToDate': 'You use this version.',
   'remote.takeHint': 'What is taken is run by nobody until you run it.',
   'remote.trustHint':
-    'The signature says who, not that it is good. Compare the key with what its owner says of it: code of a library runs with all your rights.',
+    'The signature says who, not that it is good. Compare the key with what its owner says of it. Code of a library computes in a sandbox, without your files, network and programs.',
   'remote.take': 'Take version {version}',
   'remote.trust': 'Trust this key and use the library',
+  'remote.computes': 'computes only',
+  'remote.hasRights': 'all rights',
+  'remote.rights': 'Rights…',
+  'remote.rightsOf': 'Rights of {name}',
+  'remote.rightsNone':
+    'The code of {name} runs in a sandbox: it computes, without your files, network and programs. Give it all rights only if you trust its makers as yourself, for example because it drives a device of yours.',
+  'remote.rightsAll':
+    'The code of {name} may do all that you may: read and write your files, use the network, begin programs.',
+  'remote.giveRights': 'Give it all rights',
+  'remote.takeRights': 'Let it compute only',
+  'remote.rightsLater': 'It counts for what is begun from then on.',
   'remote.changed': '{n} changed here',
   'remote.sendBack': 'Send back…',
   'remote.sendBackOf': 'Send back changes of {name}',

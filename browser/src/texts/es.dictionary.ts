@@ -181,9 +181,20 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'remote.upToDate': 'Usa esta versión.',
   'remote.takeHint': 'Lo que se toma no lo ejecuta nadie hasta que usted lo ejecute.',
   'remote.trustHint':
-    'La firma dice quién, no que sea bueno. Compare la clave con lo que dice su dueño: el código de una biblioteca se ejecuta con todos sus derechos.',
+    'La firma dice quién, no que sea bueno. Compare la clave con lo que dice su dueño. El código de una biblioteca calcula en un recinto aislado, sin los archivos de usted, sin red ni programas.',
   'remote.take': 'Tomar la versión {version}',
   'remote.trust': 'Confiar en esta clave y usar la biblioteca',
+  'remote.computes': 'solo calcula',
+  'remote.hasRights': 'todos los derechos',
+  'remote.rights': 'Derechos…',
+  'remote.rightsOf': 'Derechos de {name}',
+  'remote.rightsNone':
+    'El código de {name} se ejecuta en un recinto aislado: calcula, sin los archivos de usted, sin red ni programas. Dele todos los derechos solo si se fía de quienes lo hacen como de sí, por ejemplo porque mueve un dispositivo suyo.',
+  'remote.rightsAll':
+    'El código de {name} puede hacer todo lo que puede usted: leer y escribir sus archivos, usar la red, iniciar programas.',
+  'remote.giveRights': 'Dar todos los derechos',
+  'remote.takeRights': 'Que solo calcule',
+  'remote.rightsLater': 'Vale para lo que se inicie a partir de entonces.',
   'remote.changed': '{n} con cambios propios',
   'remote.sendBack': 'Devolver…',
   'remote.sendBackOf': 'Devolver los cambios de {name}',

@@ -13,7 +13,7 @@ from onika.words.reason import NOTHING, Reason
 _ABROAD: frozenset[type] = frozenset(
     (
         *(act.AddStation, act.RemoveStation, act.SetButton, act.Press, act.Halt),
-        *(act.TakeLibrary, act.DropLibrary, act.ListRemoteLibraries, act.BrowseLibrary),
+        *(act.TakeLibrary, act.DropLibrary, act.GiveLibraryRights, act.ListRemoteLibraries, act.BrowseLibrary),
         *(act.LookAtNetwork, act.AddPlace, act.DropPlace, act.TrustSite),
     )
 )

@@ -9,6 +9,7 @@ from kit.labs.library_server import LibraryServer
 from kit.labs.library_site import LibrarySite, new_key, wink
 from onika.desk.environment.diary_values import given
 from onika.store.remote.checkout import is_fetched
+from onika.store.remote.rights import is_confined
 from onika.store.shipped import shipped
 from onika.wire import act
 
@@ -95,6 +96,20 @@ def test_a_key_that_changed_is_told_and_refused(desk, site, tmp_path):  # R-X16
     assert offer.refusal is not None and offer.refusal.key == "store.signer_other"
     no = desk.later(act.TakeLibrary(str(site.folder), offer.digest)).no
     assert no is not None and no.reason.key == "store.signer_other"
+
+
+def test_rights_are_given_and_taken_back(desk, site):  # R-X16
+    folder = desk.take(site)
+    (used,) = desk.value(act.ListRemoteLibraries())
+    assert not used.has_all_rights
+    desk.value(act.GiveLibraryRights(used.name, True))
+    (used,) = desk.value(act.ListRemoteLibraries())
+    assert used.has_all_rights
+    assert not is_confined(Path(folder) / "module" / "wink.py")
+    desk.value(act.GiveLibraryRights(used.name, False))
+    assert is_confined(Path(folder) / "module" / "wink.py")
+    no = desk.later(act.GiveLibraryRights("nobody", True)).no
+    assert no is not None and no.reason.key == "store.library_unknown"
 
 
 def test_what_is_dropped_is_gone_from_all_lists(desk, site):  # R-F03

@@ -98,6 +98,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.BrowseLibrary: ("browse_library", "main"),
     act.TakeLibrary: ("take_library", "main"),
     act.DropLibrary: ("drop_library", "main"),
+    act.GiveLibraryRights: ("give_library_rights", "main"),
     act.ListOwnChanges: ("list_own_changes", "main"),
     act.SendBack: ("send_back", "main"),
     act.AddPlace: ("add_place", "main"),

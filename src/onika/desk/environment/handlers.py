@@ -124,6 +124,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.BrowseLibrary: remote_libraries.browse_library,
     act.TakeLibrary: remote_libraries.take_library,
     act.DropLibrary: remote_libraries.drop_library,
+    act.GiveLibraryRights: remote_libraries.give_library_rights,
     act.ListOwnChanges: sent_back.list_own_changes,
     act.SendBack: sent_back.send_back,
     act.LookAtNetwork: network.look,

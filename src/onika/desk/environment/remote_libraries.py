@@ -84,6 +84,19 @@ def drop_library(model: Model, command: act.DropLibrary, outside: Services) -> P
     return _closed(model, base)
 
 
+def give_library_rights(model: Model, command: act.GiveLibraryRights, outside: Services) -> Procedure:
+    """What the code of a library may do, from the next time on that it is begun."""
+    services = outside.remote
+    if services is None:
+        return _NOT_HERE
+    library = services.libraries.find(command.library)
+    if library is None:
+        return No(Reason.of("store.library_unknown", library=command.library))
+    give = partial(services.libraries.give_rights, library, has_all_rights=command.all_rights)
+    model, given = yield Work(model, services.worker, give)
+    return No(given.reason) if isinstance(given, Refusal) else Done(model)
+
+
 @dataclass(frozen=True, slots=True)
 class _Taken:
     library: LockedLibrary
@@ -106,6 +119,7 @@ def _used(libraries: RemoteLibraries) -> tuple[UsedLibraryView, ...]:
                 str(checkout.folder),
                 len(checkout.lacking()),
                 len(own_changes(checkout)),
+                library.has_all_rights,
             )
         )
     return tuple(views)

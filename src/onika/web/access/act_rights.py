@@ -52,6 +52,7 @@ _OWNING: frozenset[type] = frozenset(
         act.SetButton,
         act.TakeLibrary,
         act.DropLibrary,
+        act.GiveLibraryRights,
         act.SendBack,
         act.AddPlace,
         act.DropPlace,

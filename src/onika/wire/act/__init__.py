@@ -133,6 +133,7 @@ from onika.wire.act.puzzle import BeginPuzzle as BeginPuzzle, ListPuzzles as Lis
 from onika.wire.act.remote_library import (
     BrowseLibrary as BrowseLibrary,
     DropLibrary as DropLibrary,
+    GiveLibraryRights as GiveLibraryRights,
     ListOwnChanges as ListOwnChanges,
     ListRemoteLibraries as ListRemoteLibraries,
     SendBack as SendBack,
@@ -256,6 +257,7 @@ AnyAct = (
     | BrowseLibrary
     | TakeLibrary
     | DropLibrary
+    | GiveLibraryRights
     | ListOwnChanges
     | SendBack
     | LookAtNetwork

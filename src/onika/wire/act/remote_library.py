@@ -33,6 +33,13 @@ class DropLibrary(Act, frozen=True):
     library: str
 
 
+class GiveLibraryRights(Act, frozen=True):
+    """Let the code of a library do all that its user may, or compute and nothing else, from its next start on."""
+
+    library: str
+    all_rights: bool
+
+
 class ListOwnChanges(Act, frozen=True):
     """Ask what the user's own copies change in a library of others; a tuple of `view.OwnChangeView`."""
 

@@ -22,6 +22,8 @@ class UsedLibraryView(View, frozen=True):
     """Files that are not fetched yet."""
     changed: int = 0
     """Files before which a copy of the user's own stands that says something else."""
+    has_all_rights: bool = False
+    """Whether its code may do what its user may; else it computes in a sandbox."""
 
 
 class OfferEntryView(View, frozen=True):
