@@ -4,6 +4,7 @@ from dataclasses import replace
 from threading import Thread
 
 import pytest
+from msgspec import structs
 
 from kit.plans.plan_builder import PlanBuilder, action
 from onika.desk.plan.preparation import prepare
@@ -152,3 +153,15 @@ def test_a_hand_that_was_not_opened_is_foreseen_to_touch_the_box():  # R-E16
     assert 0.0 < mishap.at_s < result.lasts_s
     assert [str(said) for said in result.standing] == ["the lamp is dark"]
     assert result.scenes[mishap.world]["shapes"]
+
+
+@pytest.mark.site
+@pytest.mark.parametrize(("source", "words"), [(AT_ONCE, ""), (OUTSIDE, "may only compute")])
+def test_code_of_others_is_foreseen_in_a_sandbox(tmp_path, monkeypatch, source, words):  # R-E16, R-X16
+    monkeypatch.chdir(tmp_path)
+    plan = plan_of(source)
+    sandboxed = tuple(structs.replace(code, is_sandboxed=True) for code in plan.code)
+    result = Forecast(structs.replace(plan, code=sandboxed), ()).carry_out()
+    assert words in str(result.cause)
+    assert bool(str(result.cause)) is bool(words)
+    assert list(tmp_path.iterdir()) == []

@@ -49,6 +49,12 @@ def serve_forks() -> ForkServer | None:
     return fork_server
 
 
+def preload_forks() -> None:
+    """Have the fork server load the big libraries once, for all that are begun later; nothing waits for it."""
+    if _fork_servers:
+        _fork_servers[0].preload()
+
+
 def start(
     module: str,
     end: socket.socket,

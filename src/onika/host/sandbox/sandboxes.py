@@ -5,7 +5,7 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.host.processes.child_process import ChildProcess, start
+from onika.host.processes.child_process import ChildProcess, preload_forks, start
 from onika.host.sandbox.sandbox_process import LARGEST
 from onika.process import confinement, system_calls
 from onika.ring.segment import Segment
@@ -51,6 +51,8 @@ class Sandboxes:
     def begin(self, spawn: Spawn, unit: str = "") -> BegunSandbox:
         """Begin one that loads the module of this task; nothing waits for it. Raises ValueError with the reason."""
         self.bury()
+        if not self._processes:
+            preload_forks()
         if not (confinement.level() and system_calls.can_be_left_out()):
             raise ValueError(Reason.of("host.no_sandbox"))
         try:
