@@ -4,6 +4,7 @@ import pytest
 
 from kit.labs.laboratory import Laboratory, job
 from kit.labs.library_site import LibrarySite, wink
+from kit.process.cli_process import CliProcess
 from onika.cli import main
 from onika.store.remote.publication import fingerprint_of
 
@@ -120,4 +121,37 @@ def test_whoever_prints_the_loop_of_a_job_runs_nothing_of_it(site, tmp_path, cap
     assert main(["run", "evening", "--virtual"]) == 0  # fetches the code
     assert main(["doctor", "--sweep", "winkC"]) == 2
     assert "library of others" in capsys.readouterr().err
+    assert not (tmp_path / "home" / "left").exists()
+
+
+BY_HAND = """
+spawn all of jmoveC
+on puma
+on diff
+spawn wink
+on wink
+wait wink off within 5
+read LAMP
+swap wink
+on wink
+wait wink off within 5
+status
+check
+kill wink
+tasks
+quit
+"""
+
+
+@pytest.mark.parametrize("clock", [["--virtual"], []])
+def test_its_task_joins_what_runs_by_hand_and_its_code_is_exchanged(site, tmp_path, clock):  # R-F03, R-X16, R-C12
+    taken(site, tmp_path)
+    assert main(["library", "fetch"]) == 0
+    script = tmp_path / "script"
+    script.write_text(BY_HAND)
+    with CliProcess("runtime", "--no-fifo", "--no-console", "--script", str(script), *clock) as console:
+        output = console.text()
+        assert console.code() == 0, output
+    assert "LAMP = 0" in output
+    assert "the memory of variables is sound" in output
     assert not (tmp_path / "home" / "left").exists()

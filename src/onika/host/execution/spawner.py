@@ -12,6 +12,9 @@ from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code
 from onika.words.reason import NOTHING, Reason, reason_of
 
+_SANDBOXED_NS = 500_000
+"""What it takes a unit to make the class of a task whose module is loaded in a sandbox: half of it for twelve ports."""
+
 
 class Spawner:
     """Serves one subsystem: it has the code of modules by digest, and the device that each task was granted.
@@ -86,7 +89,8 @@ class Spawner:
         code = self._code[subsystem.members[task].wired.task.digest]
         if self._reshaping is not None:
             self._reshaping.ports(subsystem, task)
-        grant, load_ns = self._grants.get(task), self._load_ns[code.digest]
+        grant = self._grants.get(task)
+        load_ns = _SANDBOXED_NS if code.is_sandboxed else self._load_ns[code.digest]
         order = subsystem.spawn(task, code.source, code.path, self._seed, grant, load_ns)
         if code.is_sandboxed:
             order = structs.replace(order, sandboxed_as=subsystem.members[task].wired.sheet)

@@ -21,6 +21,7 @@ from onika.runtime.sandbox import sandbox_messages as messages
 from onika.runtime.table import HEAD, plain
 from onika.words.fault import Fault
 from onika.words.reason import Reason
+from onika.words.shape import Shape
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -87,7 +88,11 @@ class ConfinedInstance:
         if isinstance(cls, Fault):
             return messages.NotLoaded(cls.sentence)
         self._spawn, self._class = spawn, cls
-        return messages.declared(cls)
+        shapes = {port.port: Shape.parse(port.shape) for port in spawn.ports}
+        names = [declared.name or attribute for attribute, declared in cls.declared_ports.items()]
+        places = messages.places_of(((name, shapes[name]) for name in names if name in shapes), spawn.device)
+        outcome = self._outcome(lambda: self._bind(messages.Bind(places, {})))
+        return messages.declared(cls) if outcome.raised is None else messages.NotLoaded(outcome.raised.why)
 
     def _bind(self, order: messages.Bind) -> None:
         if self._spawn is None or self._class is None:

@@ -1,6 +1,7 @@
 """What is said between a task and its module in a sandbox (requirement X16). Values of ports lie in shared memory."""
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from onika.runtime.command import DeviceGrant, Spawn
 from onika.runtime.modules.module import Module
 from onika.runtime.picture import picture_size
 from onika.words.reason import NOTHING, KeyedSentence, Reason, as_reason
+from onika.words.shape import Shape
 
 _ARRAY = 1
 """The code of an array among the kinds of msgpack."""
@@ -139,7 +141,9 @@ Answer = Declared | NotLoaded | Returned
 PREPARES = frozenset(("init", "reinit", "on"))
 """The entry points before which all ports are shown; before others only the inputs of cycles: outputs are its own."""
 
-DEVICE_AT = 64
+_LINE = 64
+
+DEVICE_AT = _LINE
 """Where in the shared memory what the device publishes lies; its picture, and the ports, lie behind."""
 
 
@@ -149,6 +153,20 @@ def device_sizes(grant: DeviceGrant | None) -> tuple[int, int, int]:
         return 0, 0, 0
     picture = picture_size(grant.picture) if grant.picture else 0
     return 8 * len(grant.state), 8 * (2 + len(grant.command)), picture
+
+
+def places_of(ports: Iterable[tuple[str, Shape]], grant: DeviceGrant | None) -> tuple[PortPlace, ...]:
+    """Where the values of ports lie: one behind the other, behind those of the device; shapes are resolved."""
+    state, _, picture = device_sizes(grant)
+    places, offset = [], _aligned(DEVICE_AT + state + picture)
+    for name, shape in ports:
+        places.append(PortPlace(name, str(shape), offset, shape.size))
+        offset = _aligned(offset + shape.size)
+    return tuple(places)
+
+
+def _aligned(offset: int) -> int:
+    return -(-offset // _LINE) * _LINE
 
 
 def declared(cls: type[Module]) -> Declared:

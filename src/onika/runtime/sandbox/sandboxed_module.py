@@ -31,7 +31,6 @@ CYCLE = struct.Struct("<cdQ")
 """The message for a cycle: the letter, the time, how often the device has published."""
 CYCLE_LETTER = b"c"
 
-_LINE = 64
 _FAMILIES: dict[str, type[AskAgain | ModuleError]] = {
     "ask_again": AskAgain,
     "law_broken": LawBroken,
@@ -74,6 +73,8 @@ class SandboxedModule(Module):
     def __init__(self) -> None:
         super().__init__()
         self._places: tuple[messages.PortPlace, ...] = ()
+        self._is_bound_there = True
+        self._is_new = True
         self._copies: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
         self._inputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
         self._outputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
@@ -81,28 +82,26 @@ class SandboxedModule(Module):
 
     def bound_to(self, binding: Binding) -> None:
         """Its ports are bound, or bound anew: where their values lie in the memory that the sandbox sees."""
-        state, _, picture = messages.device_sizes(self._grant)
-        places, offset = [], _aligned(messages.DEVICE_AT + state + picture)
+        self._is_bound_there = self._is_new  # at first it has bound its ports itself, when it was loaded
+        self._is_new = False
+        places = messages.places_of(((name, shape) for name, shape, _ in binding.values), self._grant)
         self._copies, self._inputs, self._outputs = [], [], []
-        for (name, shape, array), declared in zip(binding.values, self.declared_ports.values(), strict=True):
-            data = array.view(np.uint8)
-            places.append(messages.PortPlace(name, str(shape), offset, data.size))
-            if offset + data.size > self._memory.size:
+        for (name, _, array), place, declared in zip(binding.values, places, self.declared_ports.values(), strict=True):
+            end = place.offset + place.size
+            if end > self._memory.size:
                 raise ValueError(Reason.of("runtime.sandbox_small", size=self._memory.size, name=name))
-            pair = data, self._memory[offset : offset + data.size]
-            offset = _aligned(offset + data.size)
+            pair = array.view(np.uint8), self._memory[place.offset : end]
             self._copies.append(pair)
             if not declared.kind.is_input:
                 self._outputs.append(pair)
             elif declared.kind.at_cycle:
                 self._inputs.append(pair)
-        self._places = tuple(places)
+        self._places = places
 
     # Entry points, carried out there
 
     def init(self) -> None:
-        """Bind there what is bound here, and initialise."""
-        self._bind()
+        """Initialise there."""
         self._call("init", LOADING_S)
 
     def reinit(self) -> None:
@@ -172,6 +171,9 @@ class SandboxedModule(Module):
     # Inner
 
     def _bind(self) -> None:
+        if self._is_bound_there:
+            return
+        self._is_bound_there = True
         local = {name: getattr(self, name) for name in self.declared_locals}
         self._taken(self._sandbox.ask(messages.encode(messages.Bind(self._places, local)), LOADING_S))
 
@@ -250,7 +252,3 @@ def message_of(answer: bytes) -> messages.Answer:
     except (MsgspecError, ValueError, TypeError, KeyError) as wrong:
         raise LawBroken(Reason.of("runtime.sandbox_answer", why=str(wrong)[:200])) from None
     return message
-
-
-def _aligned(offset: int) -> int:
-    return -(-offset // _LINE) * _LINE
