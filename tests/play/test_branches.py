@@ -6,7 +6,7 @@ from kit.engine.play_lines import JOB, NOOP, begins, ends, goes_on, passes, star
 from kit.plans import build
 from kit.plans.flow_program import bottom, branch, nested, program, top
 from onika.engine.news import TurnedOn
-from onika.engine.orders import Done, Moved, Off, RunNote, Settle, Together
+from onika.engine.orders import Done, Moved, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt
 from onika.wire.steer import Pause, Resume, Skip
 from onika.words.reason import Reason
@@ -55,7 +55,7 @@ def test_a_conditional_that_comes_first_takes_flow_0():  # reading 21, R-D10
 def test_a_conditional_after_a_skip_takes_flow_0():  # reading 21
     play = started(build.flow([JOB] * 5, THREE)) >> TurnedOn(0, "move")
     left = RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user"))
-    assert play >> Skip("0") << left << Off(0, "move") << begins(0, 1)
+    assert play >> Skip("0") << left << begins(0, 1, ["move"])
 
 
 def test_a_conditional_after_a_nested_application_takes_the_value_of_its_last_executed_action():  # reading 21

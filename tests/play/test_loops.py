@@ -6,7 +6,7 @@ from kit.engine.play_lines import JOB, NOOP, begins, ends, passes, started
 from kit.plans import build
 from kit.plans.flow_program import bottom, program, top
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
-from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle
+from onika.engine.orders import Done, End, Kill, Moved, RunNote, Settle
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Skip
 from onika.words.reason import Reason
@@ -190,7 +190,7 @@ def test_outside_of_a_loop_there_is_none_to_leave():  # R-E07
 def test_a_skipped_test_leaves_the_loop():  # reading 22
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
     left = RunNote(0, Reason.plain("test.appl flow 0 action 1: left by the user"))
-    assert play >> Skip("0") << left << Off(0, "move") << begins(0, 2)
+    assert play >> Skip("0") << left << begins(0, 2, ["move"])
 
 
 def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
@@ -199,9 +199,9 @@ def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
     assert (
         play
         >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
-        >> Skip("0", 2) << left << Off(0, "move") << begins(0, 2) >> TurnedOn(0, "move")
+        >> Skip("0", 2) << left << begins(0, 2, ["move"]) >> TurnedOn(0, "move")
         >> Skip("0", 1)
-            << RunNote(0, Reason.plain("test.appl flow 0 action 2: left by the user")) << Off(0, "move") << begins(0, 1)
+            << RunNote(0, Reason.plain("test.appl flow 0 action 2: left by the user")) << begins(0, 1, ["move"])
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 0)
     )  # fmt: skip
 
@@ -212,6 +212,6 @@ def test_a_skip_within_a_loop_remembers_that_it_is_to_be_left():  # R-E07, R-E13
         play
         >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
         >> Skip("0")
-            << RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user")) << Off(0, "move") << begins(0, 1)
+            << RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user")) << begins(0, 1, ["move"])
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
     )  # fmt: skip

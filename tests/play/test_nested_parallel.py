@@ -114,7 +114,7 @@ def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  #
         play
         >> ends(0) << Done(0, 0) << Moved(0, "waiting", 0, "meet a", (1,))
         >> Pass("0") << goes_on(0, 1) >> TurnedOn(1, "move")
-        >> Skip("1", 1) << skipped << Off(1, "move") << begins(1, 1)
+        >> Skip("1", 1) << skipped << begins(1, 1, ["move"])
         >> ends(1) << Done(1, 1) << done(1, 1)
         >> ends(0, loop=True) << Done(0, 1) << forked(0, 0, 1)
         >> ends(1) << Done(1, 0) << Moved(1, "waiting", 0, "meet a", (0,))

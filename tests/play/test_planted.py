@@ -51,7 +51,12 @@ MISTAKES = {
     ),
     "a step does not end": (FlowControl, "_step", "flow.is_pausing = True\n    return", "return"),
     "a pause that is taken back comes": (FlowControl, "_resume", "flow.is_pausing = False", "pass"),
-    "a skip leaves the trigger ON": (FlowControl, "_skip", ", *flow.flow_tasks.rest(step.triggers)", ""),
+    "a skip leaves the trigger ON": (
+        FlowControl,
+        "_skip",
+        "flow.flow_tasks.rest(step.triggers)",
+        "flow.flow_tasks.rest(step.triggers)[1:]",
+    ),
     "a skip brings the old value along": (Progress, "go_to", "self._value = None", "pass"),
     "who was let pass has not been there": (Meetings, "let_pass", "del self._waiting[flow]", "self.withdraw(flow)"),
     "two of three are enough to meet": (

@@ -103,13 +103,8 @@ def test_a_flow_that_was_done_is_done_again_and_the_application_ends_after_all()
 
 
 def test_a_flow_that_was_done_is_sent_nowhere_while_it_is_in_error():  # R-E13
-    play = (
-        started([REACH, AGAIN])
-        >> Skip("0", 1)
-        << RunNote(0, Reason.plain(f"{where(0, 0)}: left by the user"))
-        << Off(0, "move")
-    )
-    play = play << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
+    play = started([REACH, AGAIN]) >> Skip("0", 1) << RunNote(0, Reason.plain(f"{where(0, 0)}: left by the user"))
+    play = play << Switch(0, ("move",), on("move", arguments="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
     play = play << Moved(0, "done", 1) << Settle() >> Failed(0, "puma", Reason.plain("joint limit")) << stopped(1)
     assert play.refuses(Skip("0", 0), "found it stopped")
 

@@ -168,7 +168,8 @@ def test_steps_go_round_a_loop():  # R-E07
 
 def test_a_skip_leaves_the_action_at_once_and_goes_to_the_next():  # R-E07
     play = started([JOB, JOB]) >> TurnedOn(0, "move")
-    assert play >> Skip("0") << left(0, 0) << begins(0, 1) >> ends(0) << Done(0, 1) << Moved(0, "done", 1) << Settle()
+    play = play >> Skip("0") << left(0, 0)[:1] << begins(0, 1, ["move"])
+    assert play >> ends(0) << Done(0, 1) << Moved(0, "done", 1) << Settle()
 
 
 def test_a_skip_of_the_last_action_ends_the_flow():  # R-E07
@@ -179,14 +180,14 @@ def test_a_skip_of_the_last_action_ends_the_flow():  # R-E07
 @pytest.mark.parametrize("to", [0, 1, 3])
 def test_a_skip_goes_to_any_action_forwards_and_backwards_and_nothing_between_is_carried_out(to):  # R-E13
     play = started([JOB, JOB, JOB, JOB]) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
-    assert play >> Skip("0", to) << left(0, 1) << begins(0, to)
+    assert play >> Skip("0", to) << left(0, 1)[:1] << begins(0, to, ["move"])
 
 
 def test_a_skip_into_a_loop_goes_round_in_it():  # R-E13
     script = program(Do(0), bottom("round", Do(1), Do(2)), Do(3))
     assert (
         started(build.flow([JOB] * 4, script)) >> TurnedOn(0, "move")
-        >> Skip("0", 2) << left(0, 0) << begins(0, 2)
+        >> Skip("0", 2) << left(0, 0)[:1] << begins(0, 2, ["move"])
         >> ends(0, loop=True) << Done(0, 2) << begins(0, 1)
     )  # fmt: skip
 
@@ -232,7 +233,7 @@ def test_a_skip_ends_an_action_without_a_trigger():  # R-E07
 
 
 def test_a_trigger_that_finishes_after_the_skip_ends_nothing():  # R-E07
-    play = started([JOB, JOB, JOB]) >> TurnedOn(0, "move") >> Skip("0") << left(0, 0) << begins(0, 1)
+    play = started([JOB, JOB, JOB]) >> TurnedOn(0, "move") >> Skip("0") << left(0, 0)[:1] << begins(0, 1, ["move"])
     ignored = RunNote(
         0, Reason.plain("test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
     )

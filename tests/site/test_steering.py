@@ -111,6 +111,13 @@ def test_flows_are_steered_each_on_its_own(tmp_path):  # R-E07, R-E13
     assert {flow["subsystem"]: flow["state"] for flow in who["flows"]}["flow1"] == "paused"
 
 
+@pytest.mark.parametrize("line", ["next", "skip 3"])
+def test_an_action_is_left_for_one_of_another_job_while_it_moves(tmp_path, line):  # R-E13, law 9
+    script = f"wait began 2\nwait 2\n{line}\nwait began 3\nwait done 3\n"
+    result, _ = steered(tmp_path, script, "assemble", "--virtual", "--expect", "LAMP == 1")
+    assert (result["state"], result["actions_done"]) == ("completed", 24), result
+
+
 def test_a_script_with_faults_is_refused_before_anything_moves(tmp_path):  # R-E07
     result, events = steered(tmp_path, "dance\nskip 99\nwait began 2\n", "assemble24", "--virtual")
     assert (result["state"], result["exit"]) == ("refused", 2)

@@ -1,8 +1,11 @@
 """Flow control: decides what the user may do with a flow, and does it (requirements E07, E13, §5.9.2)."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from onika.engine.flow import FlowState
 from onika.engine.flow_router import FlowRouter
-from onika.engine.orders import Order, RunNote
+from onika.engine.orders import Off, Order, RunNote, Switch
 from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
 from onika.wire.plan import Join
@@ -130,17 +133,18 @@ class FlowControl:
 
     def _skip(self, flow: Progress, action: int | None) -> list[Order]:
         orders: list[Order] = []
+        left: list[Off] = []
         step = flow.step
         if flow.state is FlowState.RUNNING and step is not None:
-            note = RunNote(flow.flow, Reason.of("engine.left_by_user", place=step.place))
-            orders = [note, *flow.flow_tasks.rest(step.triggers)]
+            orders = [RunNote(flow.flow, Reason.of("engine.left_by_user", place=step.place))]
+            left = flow.flow_tasks.rest(step.triggers)
         elif flow.state is FlowState.WAITING:
             orders = self._router.withdraw(flow)
         orders += flow.leave_alone()
         flow.go(action)
         if flow.state is FlowState.STOPPED:
             return orders + self._recovery.recover_elsewhere(flow)
-        return orders + self._router.go_on([flow.flow])
+        return orders + _left_at_once(left, self._router.go_on([flow.flow]))
 
     def _why_not_pass(self, flow: Progress) -> Reason:
         if flow.state is FlowState.JOINING and not isinstance(flow.next, Join):
@@ -159,6 +163,17 @@ class FlowControl:
         """The innermost loop around the flow's place that it is not leaving already; empty: none."""
         names = [loop.name for loop in flow.program.loops_at(flow.place) if loop.name not in flow.leaving]
         return names[-1] if names else ""
+
+
+def _left_at_once(left: Sequence[Off], onward: Sequence[Order]) -> list[Order]:
+    """What goes off goes in the switch with which its flow goes on, if there is one, for that may need its variables."""
+    tasks = tuple(off.task for off in left)
+    of_flow = (order for order in onward if isinstance(order, Switch) and left and order.flow == left[0].flow)
+    switch = next(of_flow, None)
+    if switch is None:
+        return [*left, *onward]
+    whole = replace(switch, off=(*tasks, *switch.off))
+    return [whole if order is switch else order for order in onward]
 
 
 def _mark(flow: Progress, mark: Mark) -> list[Order]:

@@ -103,7 +103,7 @@ class FlowTasks:
             return [Switch(self._flow, (), tuple(step.start(task) for task in back))]
         return []
 
-    def rest(self, triggers: tuple[str, ...]) -> list[Order]:
+    def rest(self, triggers: tuple[str, ...]) -> list[Off]:
         """These go off: the action is over before they have finished."""
         on = [task for task in triggers if task in self._on]
         for task in on:
