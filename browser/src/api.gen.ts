@@ -963,6 +963,7 @@ export interface Run {
   units?: ([string, string])[];
   puts_back?: boolean;
   ends_former?: boolean;
+  goes_on?: boolean;
 }
 
 /** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
@@ -2131,6 +2132,7 @@ export interface RunView {
   notes?: (Reason)[];
   is_completed?: boolean;
   cause?: Reason;
+  can_go_on?: boolean;
   done?: number;
   of?: number;
   took_s?: number;

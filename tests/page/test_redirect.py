@@ -22,6 +22,7 @@ def program(begin, tmp_path_factory):
     folder = tmp_path_factory.mktemp("onika")
     own = Laboratory(folder / "home" / "onika")
     own.application("reach", [job("jmoveC", "Joint job"), joints("there", *ABOVE, duration=2.0)])
+    own.application("twice", [job("jmoveC", "Joint job"), joints("there", *ABOVE, duration=2.0)] * 2)
     for name in ("lean", "crooked"):
         own.application(name, [job("jmoveC", "Joint job"), joints("leaning", *LEANING, duration=2.0)])
     return begin(folder=folder)
@@ -150,3 +151,17 @@ def test_each_flow_has_its_own_and_who_cannot_is_told_why(me):  # R-E09, R-X01
     expect(me.mark("redirect", 0)).to_be_visible()
     expect(me.mark("redirect", 1)).to_have_count(0)
     expect(me.run.get_by_role("note", name="Redirected: puma → puma_kin in flow 0")).to_be_visible()
+
+
+@pytest.mark.slow
+def test_a_work_is_ended_redirected_and_gone_on_with_where_it_stood(me):  # R-K06, R-E09
+    me.opens("twice")
+    me.runs()
+    me.run.get_by_role("button", name="Pause", exact=True).first.click()
+    expect(me.run.get_by_text(re.compile("paused", re.IGNORECASE)).first).to_be_visible(timeout=20_000)
+    me.run.get_by_role("button", name="Abort", exact=True).first.click()
+    expect(me.run.get_by_text("Ended early")).to_be_visible(timeout=20_000)
+    choose(me, "twice", "puma_kin")
+    me.run.get_by_role("button", name="Go on from here").click()
+    runs_to_its_end(me.page)
+    expect(me.run.get_by_text("Done: 1 action")).to_be_visible()

@@ -38,6 +38,9 @@ export const start = (doc: string, putsBack = false, endsFormer = false): Promis
     is_recorded: options.records,
     on_loss: runtimeFor(desk.live).address ? options.onLoss : 'stop',
   })
+/** Begin where the flows of the last run ended, with whoever stands for whom now. */
+export const goOn = (doc: string): Promise<unknown> =>
+  act({ t: 'Run', doc, goes_on: true, is_recorded: options.records, passes_breakpoints: options.passesBreakpoints })
 /** The application whose run is shown: what is steered is what is seen. */
 const shownDoc = (): string => desk.live.run?.doc ?? ''
 

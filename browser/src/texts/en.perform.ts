@@ -10,6 +10,9 @@ export const enPerform = {
   'perform.run': 'Run',
   'perform.runName': 'Run {name}',
   'perform.again': 'Run again',
+  'perform.goOn': 'Go on from here',
+  'perform.goOnHint':
+    'Every flow begins where this run ended, done by whoever stands for whom now; what stood in variables is gone',
   'perform.passes': 'Pass by breakpoints',
   'perform.loss': 'If the runtime loses this environment:',
   'perform.loss.stop': 'the run ends',

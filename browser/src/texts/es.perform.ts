@@ -12,6 +12,9 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.run': 'Ejecutar',
   'perform.runName': 'Ejecutar {name}',
   'perform.again': 'Ejecutar otra vez',
+  'perform.goOn': 'Seguir desde aquí',
+  'perform.goOnHint':
+    'Cada flujo empieza donde terminó esta ejecución, con quien ahora sustituye a quién; lo que había en las variables se fue',
   'perform.passes': 'Pasar por alto los puntos de pausa',
   'perform.loss': 'Si el sistema en marcha pierde este entorno:',
   'perform.loss.stop': 'la ejecución termina',

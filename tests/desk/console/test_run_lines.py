@@ -1,7 +1,9 @@
 from msgspec.structs import replace
 
+from onika.engine.program import FlowProgram
 from onika.wire import event, request
 from onika.wire.figures import TaskFigures
+from onika.wire.plan import Jump
 from onika.words.reason import NOTHING, Reason
 
 
@@ -29,6 +31,17 @@ def test_an_application_is_redirected_by_further_words(sit):  # R-E09, R-A16
     )
     output = sitting.console.carry_out("run go_home puma=gripper")
     assert any("does not write" in str(fault.reason) for fault in output)
+
+
+def test_a_flow_begins_at_an_action_where_a_word_says_so(sit):  # R-K06, R-A16
+    sitting = sit()
+    sitting.does("begin assemble puma=puma_kin @5")
+    (flow,) = sitting.requests_of(request.Prepare)[0].plan.flows
+    assert flow.program[0] == Jump(FlowProgram(flow).entries[4])
+    assert [name for name, _ in flow.replaced] == ["puma_kin"]
+    sitting.does("abort")
+    assert sitting.fails("begin assemble flow7@5").reason.key == "console.begins_at"
+    assert sitting.fails("begin assemble flow0@99").reason.key == "desk.action_range"
 
 
 def test_home_is_the_application_go_home(sit):  # R-A16

@@ -82,3 +82,31 @@ def test_it_is_redirected_to_the_simulator_and_back(capsys):  # R-K06, R-K03, R-
         "motor_pair:arm_left",
         "motor_pair:arm_right",
     }
+
+
+BETWEEN = """
+begin motor_together
+break flow0 6
+wait flow0 paused within 60
+abort
+wait 0.1
+begin motor_together motor_left=motor_left_kin motor_right=motor_right_kin flow0@7 flow1@6
+break flow0 8
+wait flow0 paused within 60
+abort
+wait 0.1
+begin motor_together flow0@9 flow1@6
+wait run
+wait flow0/LAMP == 1 within 1
+"""
+
+
+def test_a_work_that_has_begun_goes_on_at_the_simulator_and_back_with_the_rotor_in_the_hand(
+    capsys, tmp_path
+):  # R-K06, R-E09
+    script = tmp_path / "between"
+    script.write_text(BETWEEN)
+    assert main(["runtime", "--virtual", "--script", str(script), "--no-console"]) == 0
+    output = capsys.readouterr().out
+    assert (output.count("run aborted"), output.count("run completed")) == (2, 1)
+    assert output.count("rotor_is_in, 0 us apart") == 1

@@ -233,7 +233,7 @@ FLOWS = (
 WHOLE = (
     Command(
         "run",
-        "run APPLICATION [[FLOW:]OLD=NEW …]",
+        "run APPLICATION [[FLOW:]OLD=NEW …] [FLOW@N …]",
         Reason.of("console.does_run"),
         run_lines.run,
         ("application", ""),
@@ -242,11 +242,12 @@ WHOLE = (
     ),
     Command(
         "begin",
-        "begin APPLICATION [[FLOW:]OLD=NEW …]",
+        "begin APPLICATION [[FLOW:]OLD=NEW …] [FLOW@N …]",
         Reason.of("console.does_begin"),
         run_lines.begin,
         ("application", ""),
         1,
+        more=Reason.of("console.more_begin"),
     ),
     Command("abort", "abort [CAUSE]", Reason.of("console.does_abort"), run_lines.abort),
     Command("home", "home", Reason.of("console.does_home"), run_lines.home, most=0),

@@ -4,6 +4,7 @@ from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.time_lines import ended, until_asked
+from onika.desk.plan import begin_places
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import prepare_run
 from onika.model.planned import task_of
@@ -44,7 +45,7 @@ def _begun(session: ConsoleSession, words: Words, watch: Words = ()) -> Faults:
     if session.running:
         return session.no(Reason.of("console.one_runs_already", name=session.running))
     try:
-        redirects = tuple(map(Redirect.parse, words[1:]))
+        redirects = tuple(Redirect.parse(word) for word in words[1:] if not _is_place(word))
     except ValueError as wrong:
         return (Fault(Place("line"), reason_of(wrong), Reason.of("words.nothing_run")),)
     prepared = prepare_run(words[0], session.site, redirects)
@@ -52,7 +53,11 @@ def _begun(session: ConsoleSession, words: Words, watch: Words = ()) -> Faults:
         session.say(Reason.of("console.note", text=note.sentence), Tone.NOTE)
     if prepared.faults or prepared.plan is None:
         return prepared.faults
-    faults = session.order(request.Prepare(prepared.plan, prepared.targets))
+    try:
+        plan = _begun_at(prepared.plan, tuple(filter(_is_place, words[1:])))
+    except ValueError as wrong:
+        return session.no(reason_of(wrong), Reason.of("words.nothing_run"))
+    faults = session.order(request.Prepare(plan, prepared.targets))
     on_error = "abort" if session.in_script else "wait"
     faults = faults or session.order(request.Begin(_written(prepared.plan, watch), may_ask=True, on_error=on_error))
     if faults:
@@ -63,6 +68,24 @@ def _begun(session: ConsoleSession, words: Words, watch: Words = ()) -> Faults:
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
     session.say(Reason.of("console.actions", name=prepared.name, count=total), Tone.HEAD)
     return ()
+
+
+def _is_place(word: str) -> bool:
+    """Whether a word says where a flow begins, as `flow0@7`."""
+    return "@" in word and "=" not in word
+
+
+def _begun_at(plan: Plan, words: Words) -> Plan:
+    """The plan whose flows begin at these actions, each `FLOW@N`; raises ValueError that says what was expected."""
+    index, places = FlowIndex.of(plan), dict[str, int]()
+    for word in words:
+        name, _, action = word.partition("@")
+        subsystem = index.flow(name) if name else index.lone
+        flow = next((flow for flow in plan.flows if flow.subsystem == subsystem and flow.parent is None), None)
+        if flow is None:
+            raise ValueError(Reason.of("console.begins_at", word=word, flows=index.subsystems))
+        places[subsystem] = begin_places.entry(flow, index.action(subsystem, action))
+    return begin_places.begun_at(plan, places)
 
 
 def abort(session: ConsoleSession, words: Words) -> Faults:

@@ -29,6 +29,8 @@ class Run(Act, frozen=True):
     """Whether the workcell is first put back to where everything stood at its start (law 18)."""
     ends_former: bool = False
     """Whether its own run is ended first that still goes on, or stands at an error."""
+    goes_on: bool = False
+    """Whether its flows begin where those of its last run ended, redirected as they are now (decision 76)."""
 
 
 class Preflight(Act, frozen=True):

@@ -152,6 +152,8 @@ class RunView(View, frozen=True):
     is_completed: bool = False
     cause: Reason = NOTHING
     """Why it ended before its time."""
+    can_go_on: bool = False
+    """Whether the next run may begin where this one ended before its time."""
     done: int = 0
     of: int = 0
     took_s: float = 0.0

@@ -9,8 +9,10 @@ from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.run_state.run_view import in_short, is_question, left_for, stop_view, tag, with_black_box
 from onika.desk.environment.run_state.transfer_view import jump_view
+from onika.desk.plan import begin_places
+from onika.desk.plan.begin_places import FlowEnd
 from onika.desk.run import transfer_text
-from onika.desk.run.flow_status import WAITS
+from onika.desk.run.flow_status import WAITS, FlowStatus
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
 from onika.words.reason import NOTHING, Reason
@@ -90,7 +92,9 @@ def over(run: Run, result: event.Result) -> Run:
     """The run at its end (E14); what was under way is left."""
     for subsystem, flow in run.view.flows.items():
         run = _closed(run, subsystem, flow.step, result.runtime_s)
-    run = run.shown(is_completed=result.completed)
+    ends = {number: _end(run.status(home)) for number, home in enumerate(run.homes)}
+    can_go_on = not (result.completed or run.parts) and begin_places.is_anywhere(run.plan, ends)
+    run = replace(run, ends=ends).shown(is_completed=result.completed, can_go_on=can_go_on)
     return replace(run, statuses={}, on=frozenset(), awaits=None).shown(
         state="over",
         puzzle=None if run.attempt is None else run.attempt.result(run.view, result),
@@ -102,6 +106,10 @@ def over(run: Run, result: event.Result) -> Run:
         black_box=result.black_box,
         jumps=tuple(map(jump_view, result.steps)),
     )
+
+
+def _end(status: FlowStatus) -> FlowEnd:
+    return FlowEnd(status.action, status.is_acting)
 
 
 def lost(run: Run, cause: Reason, black_box: str = "") -> Run:

@@ -9,6 +9,7 @@ from msgspec import structs
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.puzzle_attempt import PuzzleAttempt
+from onika.desk.plan.begin_places import FlowEnd
 from onika.desk.plan.flow_guests import guest_of
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.flow_worlds import driven_worlds
@@ -65,6 +66,8 @@ class Run:
     """Where it is carried out; empty: at the first station."""
     attempt: PuzzleAttempt | None = None
     """The puzzle that it is to solve; None: there is none."""
+    ends: Mapping[int, FlowEnd] = field(default_factory=dict)
+    """Where its flows were when it ended, by number."""
     parts: tuple[RunPart, ...] = ()
     """Of a run at several stations, what each carries out; empty: it is at one."""
 

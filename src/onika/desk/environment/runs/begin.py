@@ -38,6 +38,7 @@ from onika.desk.environment.runs import (
     beside,
     flow_placement,
     flow_stations,
+    going_on,
     put_back,
     puzzle_run,
     recording,
@@ -139,7 +140,10 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
     if prepared.plan is None:
         return No(Reason.of("run.has_nothing", name=opened.name))
     is_unsaved = unsaved.refused(opened, changed, command)
-    in_the_way = documents_in_the_way(model, prepared.plan)
+    plan = going_on.placed(model, command.doc, opened.name, prepared.plan) if command.goes_on else prepared.plan
+    if isinstance(plan, No):
+        return plan
+    in_the_way = documents_in_the_way(model, plan)
     if is_unsaved is not None and (command.confirmed or not in_the_way):
         return is_unsaved
     file = recording.place(model, command, opened.name, outside)
@@ -148,7 +152,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
     return model, RunStart(
         command=command,
         name=opened.name,
-        plan=prepared.plan,
+        plan=plan,
         targets=prepared.targets,
         belonging=StepMembership.of(opened.application, syntax),
         wording=IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
@@ -159,8 +163,8 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         record="" if file is None else str(file),
         changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
         unsaved=is_unsaved,
-        stations=flow_stations.apart(opened, prepared.plan),
-        together=flow_stations.together(opened, prepared.plan),
+        stations=flow_stations.apart(opened, plan),
+        together=flow_stations.together(opened, plan),
         puzzle=puzzle_run.puzzle_of(opened, outside.site),
         uncounted=puzzle_run.uncounted(opened, prepared.plan, command),
     )
