@@ -767,7 +767,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "console.module_refused": "se esperaba que el módulo lo hiciera: {reason}",
   "console.more_again": "`again hold` pone OFF todas las tareas de ese subsistema y otra vez ON, en un solo cambio:\nlos dispositivos se mantienen quietos entretanto. `again RTPU` hace que las tareas nuevas sin hueco\nvivan en esa unidad.",
   "console.more_answer": "Sin argumentos: lo que vale si no se dice nada. Donde se pregunta basta la respuesta sola, si no\nempieza por el nombre de una orden.",
-  "console.more_begin": "`flow0@7` empieza ese flujo en su acción 7, también donde otra ejecución terminó; nada se devuelve a su sitio.\nCon otra tarea en su lugar, como en `begin go puma=puma_kin flow0@7`, el trabajo sigue en el simulador, y así de vuelta.",
+  "console.more_begin": "`flow0@7` empieza ese flujo en su acción 7, como donde otra ejecución terminó.\nCon `puma=puma_kin` al lado el trabajo sigue en el simulador, y así de vuelta; nada se devuelve a su sitio.",
   "console.more_book": "BEGIN es `now`, `in 30m` o una hora como `14:00`, en UTC por el reloj del robot; LENGTH como `1h30m`.\nEn pasos de 5 min. Una ejecución suya que siga cuando empieza el tiempo de otro se detiene;\ncon `finish` termina sus acciones y queda en pausa.",
   "console.more_calibrate": "La incluida lleva el brazo izquierdo a su punto de calibración y mira ahí.\nQ_OFF, que se dice al final, es cuánto se desvía cada articulación, en rad.",
   "console.more_clear": "Un flujo que se ha parado repite su acción con el mismo objetivo.",

@@ -166,7 +166,7 @@ class FlowControl:
 
 
 def _left_at_once(left: Sequence[Off], onward: Sequence[Order]) -> list[Order]:
-    """What goes off goes in the switch with which its flow goes on, if any: others may write its variables from then."""
+    """What goes off goes in the switch with which its flow goes on, if any: that may need its variables."""
     tasks = tuple(off.task for off in left)
     of_flow = (order for order in onward if isinstance(order, Switch) and left and order.flow == left[0].flow)
     switch = next(of_flow, None)

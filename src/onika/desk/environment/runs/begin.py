@@ -140,7 +140,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
     if prepared.plan is None:
         return No(Reason.of("run.has_nothing", name=opened.name))
     is_unsaved = unsaved.refused(opened, changed, command)
-    plan = going_on.placed(model, command.doc, opened.name, prepared.plan) if command.goes_on else prepared.plan
+    plan = going_on.placed(model, command, opened.name, prepared.plan)
     if isinstance(plan, No):
         return plan
     in_the_way = documents_in_the_way(model, plan)

@@ -3,14 +3,17 @@
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.model import Model
 from onika.desk.plan import begin_places
+from onika.wire import act
 from onika.wire.plan import Plan, PlannedFlow
 from onika.words.reason import Reason
 
 
-def placed(model: Model, doc: str, name: str, plan: Plan) -> Plan | No:
-    """The plan whose flows begin where those of the last run ended; refused where nobody knows a place for one."""
+def placed(model: Model, command: act.Run, name: str, plan: Plan) -> Plan | No:
+    """The plan, with its flows where those of the last run ended, where that is wanted; or why not."""
+    if not command.goes_on:
+        return plan
     former = model.run
-    if former is None or former.doc != doc or not former.is_over or former.view.is_completed:
+    if former is None or former.doc != command.doc or not former.is_over or former.view.is_completed:
         return No(Reason.of("run.goes_on_not_there", name=name))
     if former.parts:
         return No(Reason.of("run.goes_on_apart", name=name))
