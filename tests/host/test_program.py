@@ -73,6 +73,7 @@ def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
     assert desk.ask(live.Touch("yard", "panic", 1.0)) == request.Done()
     refused = desk.ask(live.Touch("yard", "bell", 1.0))
     assert str(refused.reason) == "expected 1 or 0 for panic, found 1 for 'bell'"
+    assert [(told.world, told.part, told.value) for told in desk.of(event.Touched)] == [("yard", "panic", 1.0)]
     desk.program.advance(0)
     assert desk.of(event.Drive)[-1].state == "PRESSED"
     desk.ask(request.Abort(Reason.plain("enough")))

@@ -11,14 +11,14 @@ from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.pads import Pads
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.subsystems.world_reset import WorldReset
-from onika.wire import holding, live, request
+from onika.wire import event, holding, live, request
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import reason_of
 
 
 class HandRequests:
-    """Answered at once. `offer` keeps the files of worlds, and tells of those that are open and made of others."""
+    """Answered at once. `offer` keeps the files of worlds, and tells of those that are open and made of others; what hands touch is told."""
 
     def __init__(
         self,
@@ -29,6 +29,7 @@ class HandRequests:
         motion: Motion,
         presence: Presence,
         offer: Callable[[Iterable[WorldSource]], list[Fault]],
+        tell: Callable[[event.Event], None],
     ) -> None:
         self._subsystems = subsystems
         self._driver = driver
@@ -37,6 +38,7 @@ class HandRequests:
         self._motion = motion
         self._presence = presence
         self._offer = offer
+        self._tell = tell
         self._pads = Pads(subsystems)
         self._world_reset = WorldReset(subsystems, driver)
 
@@ -81,6 +83,7 @@ class HandRequests:
             self._driver.touch(message.world, message.part, message.value)
         except ValueError as wrong:
             return request.Refused(reason_of(wrong))
+        self._tell(event.Touched(message.world, message.part, message.value, self._driver.now * 1e-9))
         return request.Done()
 
     def _of_holders(self, session: str, message: request.Request) -> request.Response | None:

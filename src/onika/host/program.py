@@ -82,7 +82,14 @@ class RuntimeProgram:
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self._hands = HandRequests(
-            self.subsystems, driver, self._editor, self.authority, self.motion, self._presence, self._offered
+            self.subsystems,
+            driver,
+            self._editor,
+            self.authority,
+            self.motion,
+            self._presence,
+            self._offered,
+            server.tell,
         )
         self._links = RendezvousLinks()
         self.applications = ApplicationRuns(

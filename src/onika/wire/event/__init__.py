@@ -5,7 +5,13 @@ Times are seconds since the run's start in the runtime's own time.
 
 from onika.wire.event.action import Began as Began, Done as Done, Met as Met, Moved as Moved, Stood as Stood
 from onika.wire.event.any_event import Event as Event, decode as decode, encode as encode
-from onika.wire.event.device import Drive as Drive, Mishap as Mishap, Outdated as Outdated, Stepped as Stepped
+from onika.wire.event.device import (
+    Drive as Drive,
+    Mishap as Mishap,
+    Outdated as Outdated,
+    Stepped as Stepped,
+    Touched as Touched,
+)
 from onika.wire.event.ending import Recording as Recording, Result as Result
 from onika.wire.event.explanation import Course as Course, Explained as Explained, LastSecondsKept as LastSecondsKept
 from onika.wire.event.holder import (

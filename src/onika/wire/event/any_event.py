@@ -3,7 +3,7 @@
 import msgspec
 
 from onika.wire.event.action import Began, Done, Met, Moved, Stood
-from onika.wire.event.device import Drive, Mishap, Outdated, Stepped
+from onika.wire.event.device import Drive, Mishap, Outdated, Stepped, Touched
 from onika.wire.event.ending import Recording, Result
 from onika.wire.event.explanation import Explained, LastSecondsKept
 from onika.wire.event.holder import Company, Edited, Held, Offered, Stopped
@@ -33,6 +33,7 @@ Event = (
     | Lost
     | UnitUp
     | Outdated
+    | Touched
     | Held
     | Offered
     | Company

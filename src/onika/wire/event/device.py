@@ -70,3 +70,12 @@ class Outdated(Struct, frozen=True, tag=True):
     text: Reason
     """Which file it is, as a sentence."""
     at_s: float
+
+
+class Touched(Struct, frozen=True, tag=True):
+    """A hand has touched a part of a simulated world, such as a panic button: 1 presses, 0 lets go."""
+
+    world: str
+    part: str
+    value: float
+    at_s: float

@@ -7,6 +7,7 @@ import msgspec
 
 from onika.desk.environment.outcome.outcome import Done, EditEnd, No
 from onika.desk.environment.reconcile import holders, presence, reconciliation, slots, task_reducer
+from onika.desk.environment.reconcile.pressed_parts import touched
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import subsystem_views
 from onika.desk.environment.state.document import Document
@@ -37,7 +38,7 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return Done(model, orders=(presence.ask_what(),))
         case event.Held() | event.Offered() | event.Company() | event.Moved() | event.SlotEnds() | event.ClockSet():
             return _of_holder(model, message, at_s)
-        case event.Stopped() | event.Lost() | event.UnitUp() | event.Drive() | event.Outdated():
+        case event.Stopped() | event.Lost() | event.UnitUp() | event.Drive() | event.Outdated() | event.Touched():
             return _of_runtime(model, message)
     return Done(model)
 
@@ -97,7 +98,7 @@ def _of_holder(model: Model, message: _HolderEvent, at_s: float) -> Done:
 
 
 def _of_runtime(
-    model: Model, message: event.Stopped | event.Lost | event.UnitUp | event.Drive | event.Outdated
+    model: Model, message: event.Stopped | event.Lost | event.UnitUp | event.Drive | event.Outdated | event.Touched
 ) -> Done:
     """What concerns everybody."""
     match message:
@@ -107,6 +108,8 @@ def _of_runtime(
             return _lost(model, message)
         case event.Outdated():
             return _outdated(model, message)
+        case event.Touched():
+            return Done(touched(model, message))
         case event.UnitUp():
             return _unit_up(model, message)
     if message.state not in ("TRIPPED", "PRESSED") or model.runtime.is_stopped:
