@@ -18,7 +18,10 @@ from onika.words.reason import reason_of
 
 
 class HandRequests:
-    """Answered at once. `offer` keeps the files of worlds, and tells of those that are open and made of others; what hands touch is told."""
+    """Answered at once. `offer` keeps the files of worlds, and tells of those that are open and made of others.
+
+    What hands have touched is told to everybody.
+    """
 
     def __init__(
         self,

@@ -21,7 +21,7 @@ def with_pressed(model: Model, world: str, parts: Iterable[str]) -> Model:
 
 
 def touched(model: Model, message: event.Touched) -> Model:
-    """The model when a hand somewhere, at another page or a console, has pressed a part of an open world or let it go."""
+    """The model when a hand somewhere has pressed a part of an open world, or let it go."""
     world = world_at(model.station, message.world)
     if world not in model.runtime.worlds:
         return model
