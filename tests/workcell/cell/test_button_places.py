@@ -27,3 +27,9 @@ def test_a_button_of_a_place_on_a_part_stands_on_that_part():  # R-K06
     (x, y, z) = places_of(on)["panic"]
     top = FileWorld(files_of())._plant.data.site("cube.top").xpos
     assert (x, y, z) == pytest.approx((top[0], top[1] - 0.3, top[2]), abs=0.01)
+
+
+def test_switches_that_a_hand_touches_stand_at_the_left_hand_of_the_first_robot():  # R-K06, R-X19
+    world = CELL["world/cell.world"].replace("BUTTON", "SWITCH door\nTOUCHED\n\nSWITCH start\nTOUCHED\n\nBUTTON", 1)
+    assert {name: place[1] for name, place in places_of(world).items()} == {
+        "panic": pytest.approx(-0.3), "door": pytest.approx(0.3), "start": pytest.approx(0.42)}  # fmt: skip

@@ -1,4 +1,8 @@
-"""Where the panic buttons of a world stand, for whoever draws it: beside what they stop; they have no shape (X19)."""
+"""Where the buttons of a world stand, for whoever draws it; they have no shape (X19).
+
+Panic buttons stand at the right hand of the robot that they stop, switches that a hand touches at the left hand of the
+first one.
+"""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -10,7 +14,7 @@ import numpy as np
 from onika.model.world import PlaceBlock, Spot, WorldText
 
 _BESIDE_M = 0.3
-"""So far from the middle of the first place that it stops, at the right hand of the robot there."""
+"""So far from the middle of the place; to the other side if negative."""
 
 _APART_M = 0.12
 """From one button of a place to the next."""
@@ -19,7 +23,7 @@ Place = tuple[float, float, float]
 
 
 def button_places(world: WorldText, data: Any) -> Mapping[str, Place]:
-    """The place of each panic button, x, y, z (m), with the data of the world's physics."""
+    """The place of each button and touched switch, x, y, z (m), with the data of the world's physics."""
     places = {place.name: place for place in world.places}
     there: Counter[str] = Counter()
     found: dict[str, Place] = {}
@@ -28,6 +32,9 @@ def button_places(world: WorldText, data: Any) -> Mapping[str, Place]:
         if stopped is not None:
             found[button.name] = _beside(stopped, data, _BESIDE_M + _APART_M * there[stopped.name])
             there[stopped.name] += 1
+    touched = [switch.name for switch in world.switches if switch.is_touched and world.places]
+    for number, name in enumerate(touched):
+        found[name] = _beside(world.places[0], data, -_BESIDE_M - _APART_M * number)
     return found
 
 

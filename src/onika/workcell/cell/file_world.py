@@ -136,7 +136,7 @@ class FileWorld(DrivenWorld):
         return [replace(shape, paint=paints.get(shape.name, shape.paint)) for shape in shapes]
 
     def button_places(self) -> Mapping[str, Place]:
-        """Where its panic buttons stand, x, y, z (m)."""
+        """Where its panic buttons and touched switches stand, x, y, z (m)."""
         places = button_places(self._composition.world, self._plant.data)
         return {name: place for name, place in places.items() if name in self._buttons}
 
