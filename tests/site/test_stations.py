@@ -19,7 +19,9 @@ from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.run_recorder import RunRecorder
 from onika.desk.environment.stations import Stations
+from onika.desk.run.run_review import Review
 from onika.store.site import open_site
 from onika.wire import act, event
 
@@ -28,6 +30,19 @@ pytestmark = pytest.mark.site
 PATIENCE_S = 60.0
 TURNS = 20
 NAMES = ("pittsburgh", "albuquerque", "livermore")
+
+
+COUNTS = """
+from onika.module import Module, OutVar, finish
+
+class Counts(Module):
+    trigger = True
+    COUNT = OutVar("double", "-", "cycles")
+
+    def cycle(self):
+        self.COUNT += 1.0
+        return finish() if self.COUNT == 25.0 else None
+"""
 
 
 class There:
@@ -63,12 +78,19 @@ class Sites:
         pause = [job("pauseC", "Pause job"), target("for_a_while", "Pause object", "0.5")]
         tagged = [job("pauseC", "Pause job", "SYNCHTAG meet"), target("for_a_while", "Pause object", "0.2")]
         Laboratory(lab.path).application("three", [*pause, *tagged], [*pause, *tagged], pause * 4, parallel=True)
+        Laboratory(lab.path).module("counts", COUNTS)
+        Laboratory(lab.path).plain_task("counts", writes="COUNT", hz=50)
+        Laboratory(lab.path).configuration("countsC", "counts 50")
+        Laboratory(lab.path).application("counted", *([job("countsC")] for _ in NAMES), parallel=True)
         site = open_site([lab.path], {}, None)
         self.there = {name: There(folder / name) for name in NAMES}
         self.things, self.says, self.heard = queue.Queue(), [], []
         self.stations = Stations(RuntimeLauncher(), self.things.put, time.monotonic)
         model, _ = opened(site, None, {})
-        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.stations)
+        recorder = RunRecorder()
+        services = Services(site, time.monotonic, folder / "state", recorder=recorder)
+        self.environment = Environment(model, HANDLERS, services, self.stations)
+        recorder.attend(self.environment)
         self.environment.listeners.append(self)
         self.stations.begin(self.environment)
         receive = self.environment.receive
@@ -174,6 +196,37 @@ def test_of_a_run_at_three_runtimes_two_meet_while_the_third_is_cut_off_and_stop
     sites.until(lambda: sites.environment.tree.stations["livermore"].is_stopped)
     sites.until(lambda: sites.environment.tree.run.state == "over")
     assert not sites.environment.tree.run.is_completed and "livermore" in str(sites.environment.tree.run.cause)
+
+
+def test_a_run_at_three_runtimes_is_recorded_as_one(sites):  # R-X05, R-E12
+    doc = sites.do(act.Open("counted"))
+    for flow, name in enumerate(NAMES):
+        sites.do(act.PlaceFlow(doc, f"flow{flow}", name))
+    sites.do(act.Run(doc, is_recorded=True))
+    sites.until(lambda: sites.environment.tree.run.state == "over")
+    run = sites.environment.tree.run
+    assert run.is_completed, run.cause
+    with Review(Path(run.recording)) as review:
+        assert review.is_whole and review.ending["completed"] == "yes"
+        assert review.run.stations == dict(zip(run.flows, NAMES, strict=True))
+        assert [len(flow.intervals) for flow in review.flows] == [1, 1, 1]
+        assert set(review.series) == {f"{flow}/COUNT" for flow in run.flows}
+        for series in review.series.values():
+            held = [count for _, count in series.values()]
+            assert len(set(held)) > 3
+            assert held == sorted(held)
+
+
+def test_where_a_run_at_three_runtimes_cannot_be_recorded_it_does_not_begin(sites, tmp_path):  # R-X05
+    doc = sites.do(act.Open("three"))
+    for flow, name in enumerate(NAMES):
+        sites.do(act.PlaceFlow(doc, f"flow{flow}", name))
+    (tmp_path / "state").write_text("in the way of the folder")
+    given = []
+    sites.environment.do(act.Run(doc, is_recorded=True), "me", given.append)
+    sites.until(lambda: given)
+    assert given[0].no is not None
+    assert given[0].no.remedies[0].act.is_recorded is False
 
 
 @pytest.mark.slow

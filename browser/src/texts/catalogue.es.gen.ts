@@ -3084,7 +3084,6 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.own_undone_elsewhere": "«{label}» se hizo en otra página, y aquí se deshace; Rehacer lo repite",
   "run.parameter_changed": "{name} era {before}, ahora es {after}",
   "run.parameters_changed": "parámetros de {task}: {changes:;}",
-  "run.parts_not_recorded": "la página no graba una ejecución en varias estaciones; `onika run` con --at y --record sí",
   "run.place_form": "se esperaba {window} con {names:and}, números enteros de píxeles de 0 a {most}; hay otra cosa",
   "run.places_form": "se esperaban lugares de ventanas ({windows}); hay otra cosa",
   "run.plan_not_taken": "el simulador no admite el plan grabado: {why}",

@@ -24,6 +24,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.puzzle_ledger import PuzzleLedger
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.run_recorder import RunRecorder
 from onika.desk.environment.runs import readiness
 from onika.desk.environment.runs.forecaster import Forecaster
 from onika.desk.environment.runs.readiness import ReadinessJudge
@@ -141,6 +142,7 @@ class EnvironmentProgram:
             remote=remote,
             player=PLAYER,
             network=network,
+            recorder=(recorder := RunRecorder()),
         )
         launching = RuntimeLauncher(
             self._options.rtpus,
@@ -161,6 +163,7 @@ class EnvironmentProgram:
         environment.observers.append(repose.begun)
         environment.followers.append(repose.changed)
         self._pause = repose.pause
+        recorder.attend(environment)
         kept, autosave = self._recovery(environment), Autosave()
         stations.begin(environment)
         diary = self._diary(environment)
@@ -212,6 +215,8 @@ class EnvironmentProgram:
         self, environment: Environment, surroundings: Services, kept: Recovery | None, autosave: Autosave
     ) -> None:
         """What is not saved is there again the next time; preferences have a file from now on (B12)."""
+        if surroundings.recorder is not None:
+            surroundings.recorder.close()
         if kept is not None:
             autosave.look(environment.model, 0.0)
             kept.carry_out(autosave.take_all(0.0))

@@ -165,6 +165,10 @@ class Release(Struct, frozen=True, tag=True):
     subsystem: str
 
 
+RECORDED_HZ = 20.0
+"""How often values are told to whoever records what several runtimes do: as often as a link carries them well."""
+
+
 class Attend(Struct, frozen=True, tag=True):
     """What this session hears from now on, in place of what it heard before; runs of its own it always hears."""
 

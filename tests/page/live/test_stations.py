@@ -134,10 +134,15 @@ def test_flows_are_carried_out_at_two_runtimes_and_meet_there_by_themselves(me, 
         expect(run.get_by_role("group", name=f"Flow {flow}")).to_contain_text(station)
     expect(page.get_by_text(re.compile("^apart is done: 3 actions")).first).to_be_visible(timeout=20_000)
     opened(me, "together")
+    page.keyboard.press("Alt+r")
     run = run_apart(me, "together")
     expect(run).to_contain_text(re.compile(r"flows meet at tags on cmu, sandia.*held after [\d.]+ ms"), timeout=20_000)
     expect(page.get_by_text(re.compile("^together is done: 4 actions")).first).to_be_visible(timeout=30_000)
     expect(run).to_contain_text("held after")
+    run.get_by_role("button", name="Look at the recording").click()  # R-X05
+    expect(page.get_by_text("Recording of together")).to_be_visible()
+    page.get_by_role("button", name="Close the recording").click()
+    page.keyboard.press("Alt+r")
 
 
 def test_configurations_are_on_at_two_runtimes_and_stop_reaches_the_one_that_is_heard(

@@ -96,6 +96,8 @@ class Environment:
         """Told of every act that begins, and by whom; what each returns is told how it ended: the diary."""
         self.listening: list[Callable[[str, str, Struct], None]] = []
         """Told of what a runtime tells, before it changes anything: station, which request that answers, message."""
+        self.measuring: list[Callable[[str, Mapping[str, bytes]], None]] = []
+        """Told what variables hold that are recorded, by station and `SUBSYSTEM/NAME`."""
         self.followers: list[Callable[[Model, Model], None]] = []
         """Told of every change, with what there was before."""
         self.revision = 0
@@ -139,6 +141,11 @@ class Environment:
             listener(station, "", message)
         if station in self.model.stations:
             self._adopt(of_station(following.after_event(self.model.at(station), message, self._surroundings)), "")
+
+    def measured(self, station: str, readings: Mapping[str, bytes]) -> None:
+        """What variables of a station hold, of which all are wanted for a recording."""
+        for listener in self.measuring:
+            listener(station, readings)
 
     def become(self, change: Callable[[Model], Done], station: str = "") -> None:
         """A change from outside: a file, a link to a station, a command that ended."""

@@ -16,7 +16,7 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.runtime_rest import RuntimeRest
-from onika.desk.environment.reconcile.watches import Watch
+from onika.desk.environment.reconcile.watches import Watch, recorded_homes
 from onika.desk.environment.state.model import Model
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import RuntimeConversation, in_short
@@ -224,10 +224,18 @@ class RuntimeThread:
         self._tell_quality(multiplexer, environment)
         if came:
             self._post(lambda: self._tell(environment, came))
-        self._frames.put(multiplexer.readings(), multiplexer.figures, self._focused(environment.model))
+        model = self._focused(environment.model)
+        self._frames.put(self._noted(environment, multiplexer.readings(), model), multiplexer.figures, model)
         if multiplexer.figures is not None:
             loads, cycles_us = multiplexer.figures.loads, multiplexer.figures.cycles_us
             self._become(environment, lambda model: runtime_loss.with_loads(model, loads, cycles_us))
+
+    def _noted(self, environment: Environment, readings: dict[str, bytes], model: Model) -> dict[str, bytes]:
+        """What is new and somebody looks at; where all is recorded, it is told besides."""
+        if not readings or not recorded_homes(model):
+            return readings
+        self._post(lambda: environment.measured(self._station, readings))
+        return self._watching.wanted(readings, model)
 
     def _attend(self, multiplexer: Multiplexer, watch: Watch, model: Model) -> None:
         """What is listened to follows from these two alone; neither changes in place."""

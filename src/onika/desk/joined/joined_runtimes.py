@@ -32,8 +32,6 @@ from onika.words.system_error import system_reason_with_place
 if TYPE_CHECKING:
     from onika.desk.run.remote_runtime import RemoteRuntime
 
-_RECORDED_HZ = 20.0
-"""How often values are recorded at most: every cycle of a runtime elsewhere is too much for a line."""
 _LISTS = ("tasks", "skews_us", "switches_us", "steps", "remarks")
 _TO_ALL = (request.Stop, request.Abort, live.Reset)
 
@@ -276,7 +274,7 @@ def opens(settings: RunSettings) -> Opens | None:
 
 def _heard(part: PlanPart) -> live.Attend:
     """What a runtime is to tell for a recording: all variables of its flows, as often as a link carries them well."""
-    return live.Attend(readings=tuple(f"{flow.subsystem}/*" for flow in part.plan.flows), hz=_RECORDED_HZ)
+    return live.Attend(readings=tuple(f"{flow.subsystem}/*" for flow in part.plan.flows), hz=live.RECORDED_HZ)
 
 
 def _of_all(results: Sequence[event.Result], name: str) -> tuple[Any, ...]:

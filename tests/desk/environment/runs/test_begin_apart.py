@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import pytest
 
 from kit.desk.live_runtime import LiveRuntime
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
 from onika.desk.environment.reconcile.runtime_loss import lost
+from onika.desk.environment.run_recorder import RunRecorder
 from onika.desk.joined import meeting_links
 from onika.wire import act, event, request, steer
 from onika.wire.rendezvous_link import LinkRuntimes
@@ -105,9 +108,22 @@ def test_what_is_in_the_way_at_a_station_is_told_and_nothing_begins(apart):  # R
     assert "at cmu there is in the way" in str(no.reason) and not asked_at(apart, "", request.Prepare)
 
 
-def test_a_run_at_several_stations_is_not_recorded(apart):  # R-X05
+def test_a_run_at_several_stations_that_nobody_writes_down_does_not_begin(apart, tmp_path):  # R-X05
+    apart.surroundings = replace(apart.surroundings, state=tmp_path / "state")
     no = apart.answer(act.Run(apart.doc, is_recorded=True)).no
-    assert "several stations" in str(no.reason) and no.remedies[0].act == act.Run(apart.doc)
+    assert no.remedies[0].act == act.Run(apart.doc)
+    assert not asked_at(apart, "", request.Begin)
+
+
+def test_nothing_is_left_of_the_recording_of_a_run_that_does_not_begin(apart, tmp_path):  # R-X05
+    recorder = RunRecorder()
+    recorder.attend(apart.environment)
+    apart.surroundings = replace(apart.surroundings, state=tmp_path / "state", recorder=recorder)
+    apart.environment._surroundings = apart.surroundings
+    apart.rebuffs = {}
+    apart.runtime.refusals, apart.others["cmu"].refusals = {}, {"Begin": Reason.plain("not now")}
+    assert "not now" in str(apart.answer(act.Run(apart.doc, is_recorded=True)).no.reason)
+    assert list((tmp_path / "state").rglob("*.mcap")) == []
 
 
 def test_flows_that_wait_for_each_other_at_two_stations_meet_by_themselves(meeting):  # R-E12, R-F02, law 28

@@ -4,12 +4,32 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.library_services import LibraryServices
 from onika.desk.environment.outcome.network_services import NetworkServices
 from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.desk.environment.run_state.run import Run
 from onika.store.site import Site
+from onika.wire import request
+from onika.words.reason import Reason
+
+
+class PartsRecorder(Protocol):
+    """Who writes down a run at several stations; the file is that of the run's view."""
+
+    def begin(self, run: Run, prepare: request.Prepare, begin: request.Begin) -> Reason:
+        """A run is about to begin at its stations; why it cannot be recorded, NOTHING where it is."""
+        ...
+
+    def forget(self, run: Run) -> None:
+        """It has not begun after all: nothing is left of its recording."""
+        ...
+
+    def close(self) -> None:
+        """The program ends: so do recordings that go on."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +48,7 @@ class Services:
     remote    what acts on libraries of others need; None: there are none
     player    the folder of the player of shared files; None: recordings are not shared
     network   what acts on other sites need; None: none are found
+    recorder  writes down what is done at several stations; None: that is not recorded
     """
 
     site: Site
@@ -42,3 +63,4 @@ class Services:
     remote: LibraryServices | None = None
     player: Path | None = None
     network: NetworkServices | None = None
+    recorder: PartsRecorder | None = None

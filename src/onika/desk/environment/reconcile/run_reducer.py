@@ -21,7 +21,7 @@ from onika.words.reason import Reason
 
 def after_event(model: Model, message: event.Event) -> Done:
     """The model after a piece of news, as far as it is about the run."""
-    run = _meant(model, message)
+    run = meant(model, message)
     if run is None or run.is_over:
         return Done(model)
     if isinstance(message, event.Edited) and run.view.state == "beginning":
@@ -75,7 +75,7 @@ def part_lost(model: Model, run: Run, cause: Reason) -> Done:
     return Done(model.with_run(now), says=(end(now),), news=((RunEnd(now.view.number), None),))
 
 
-def _meant(model: Model, message: event.Event) -> Run | None:
+def meant(model: Model, message: event.Event) -> Run | None:
     """The run that a piece of news is about; what names none is about the one that was begun last."""
     named: str = getattr(message, "run", "") or getattr(message, "subsystem", "")
     if isinstance(message, event.Met) and message.subsystems:

@@ -1,5 +1,6 @@
 """What the browsers together want to see of the running system, and what is asked of a runtime for it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import isnan
 
@@ -10,6 +11,7 @@ from onika.wire import holding, live
 FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
 _INTO = "@"
+_WORLD = "world:"
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,19 +26,39 @@ class Watch:
     figures: bool = False
     hz: float = 0.0
 
-    def attend(self, model: Model) -> live.Attend:
-        """What is asked of the runtime with which the documents of this model are connected."""
+    def wanted(self, readings: Mapping[str, bytes], model: Model) -> dict[str, bytes]:
+        """Of what has come, by `SUBSYSTEM/NAME`, what somebody looks at."""
+        watched = frozenset(self._watched(model))
+        return {
+            key: body
+            for key, body in readings.items()
+            if key in watched or f"{key.rpartition('/')[0]}/*" in watched or key.startswith(_WORLD)
+        }
+
+    def _watched(self, model: Model) -> list[str]:
+        """The variables that are looked at, as `SUBSYSTEM/NAME`."""
         homes = {**homes_of(model), **homes_within(model)}
         keys = [key.partition("/") for key in sorted(self.variables)]
         of_documents = [f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name]
-        of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
-        readings = tuple(dict.fromkeys((*of_documents, *of_run)))
+        return [*of_documents, *(home for doc, _, name in keys if (home := _home_in_run(model, doc, name)))]
+
+    def attend(self, model: Model) -> live.Attend:
+        """What is asked of the runtime with which the documents of this model are connected."""
+        recorded = [f"{home}/*" for home in recorded_homes(model)]
+        readings = tuple(dict.fromkeys((*self._watched(model), *recorded)))
         worlds = tuple(sorted(name for world in self.worlds if (name := world_at(model.station, world))))
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
+        hz = max(hz, live.RECORDED_HZ) if recorded else hz
         # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
         own = {home for run in model.runs_here for home in run.homes}
         attended = (*sorted({*homes_of(model).values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
         return live.Attend(attended, readings, worlds, hz)
+
+
+def recorded_homes(model: Model) -> tuple[str, ...]:
+    """The subsystems here of runs at several stations that are recorded: of these all values are told."""
+    recorded = [run for run in model.going_here if run.parts and run.view.recording]
+    return tuple(home for run in recorded for home in run.homes_at(model.station))
 
 
 def keys_of(model: Model, key: str) -> tuple[str, ...]:

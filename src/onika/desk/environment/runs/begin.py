@@ -78,7 +78,8 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     if isinstance(begun_with, No):
         return begun_with
     model, start = begun_with
-    model, refused_ = yield from begin_apart.begun(model, start) if start.stations else _begun(model, start)
+    beginning = begin_apart.begun(model, start, outside.recorder) if start.stations else _begun(model, start)
+    model, refused_ = yield from beginning
     if refused_ is not None:
         back = putting_back.due(_without_it(model, before))  # it does not run: what was there before comes back
         yield InterimModel(back.model, orders=back.orders)
@@ -146,7 +147,8 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
     in_the_way = documents_in_the_way(model, plan)
     if is_unsaved is not None and (command.confirmed or not in_the_way):
         return is_unsaved
-    file = recording.place(model, command, opened.name, outside)
+    stations = flow_stations.apart(opened, plan)
+    file = recording.place(model, command, opened.name, outside, is_apart=bool(stations))
     if isinstance(file, No):
         return file
     return model, RunStart(
@@ -163,7 +165,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, Ru
         record="" if file is None else str(file),
         changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
         unsaved=is_unsaved,
-        stations=flow_stations.apart(opened, plan),
+        stations=stations,
         together=flow_stations.together(opened, plan),
         puzzle=puzzle_run.puzzle_of(opened, outside.site),
         uncounted=puzzle_run.uncounted(opened, prepared.plan, command),

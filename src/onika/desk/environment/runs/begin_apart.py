@@ -11,6 +11,7 @@ from msgspec import structs
 
 from onika.desk.environment.outcome.outcome import Ask, AskAll, InterimModel, No, RequiredRuntime, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.services import PartsRecorder
 from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.station_names import called
@@ -35,10 +36,15 @@ from onika.words.reason import Reason
 _HERE = "127.0.0.1"
 
 
-def begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
+def begun(model: Model, start: RunStart, recorder: PartsRecorder | None) -> Steps[tuple[Model, No | None]]:
     """Have every station begin its part; or why none does. Where one cannot, what has begun is ended."""
-    if start.record:
-        return model, recording.without(Reason.of("run.parts_not_recorded"), start.command)
+    model, refused = yield from _begun(model, start, recorder)
+    if refused is not None and recorder is not None and model.run is not None:
+        recorder.forget(model.run)
+    return model, refused
+
+
+def _begun(model: Model, start: RunStart, recorder: PartsRecorder | None) -> Steps[tuple[Model, No | None]]:
     model = model.at("").making_room()
     parts = _parts(start.plan, start.stations)
     model = replace(model, run=_shown(model, start, parts))
@@ -56,6 +62,12 @@ def begun(model: Model, start: RunStart) -> Steps[tuple[Model, No | None]]:
         model, response = yield Ask(model.at(part.station), wish)
         if not isinstance(response, request.Prepared) or response.faults:
             return model.at(""), refused_by_runtime(start.troubles, response)
+    if start.record and model.run is not None:
+        if recorder is None:
+            return model.at(""), recording.without(Reason.of("run.record_no_folder"), start.command)
+        unrecorded = recorder.begin(model.run, request.Prepare(start.plan, start.targets), _wish(start, None))
+        if unrecorded:
+            return model.at(""), recording.without(unrecorded, start.command)
     if not shared_tags(plans):
         return (yield from _begin(model, start, parts, None))
     model, terms = yield from _linked(model, parts, plans)
@@ -103,8 +115,7 @@ def _begin(
     model: Model, start: RunStart, parts: tuple[RunPart, ...], terms: MeetingTerms | None
 ) -> Steps[tuple[Model, No | None]]:
     for number, part in enumerate(parts):
-        begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss, meets=terms)
-        model, response = yield Ask(model.at(part.station), begin)
+        model, response = yield Ask(model.at(part.station), _wish(start, terms))
         if isinstance(response, request.Done):
             continue
         why = Reason.of("run.what_why", what=called(part.station), why=refusal(response))
@@ -115,6 +126,10 @@ def _begin(
     looks = tuple(run_reducer.look().at(part.station) for part in parts)
     model, _ = yield InterimModel(model.at(""), orders=looks)
     return model, None
+
+
+def _wish(start: RunStart, terms: MeetingTerms | None) -> request.Begin:
+    return request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss, meets=terms)
 
 
 def _looked(model: Model, start: RunStart, part: RunPart) -> Steps[tuple[Model, dict[str, str] | No]]:

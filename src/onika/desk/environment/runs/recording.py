@@ -22,11 +22,14 @@ LEAST_BYTES = 50_000_000
 _MEGA = 1_000_000
 
 
-def place(model: Model, command: act.Run, name: str, outside: Services) -> Path | No | None:
-    """The file of a run that is to be recorded; a no where none can be made, None where none is wanted."""
+def place(model: Model, command: act.Run, name: str, outside: Services, *, is_apart: bool) -> Path | No | None:
+    """The file of a run that is to be recorded; a no where none can be made, None where none is wanted.
+
+    One at several stations is written here, wherever these are.
+    """
     if not command.is_recorded:
         return None
-    if model.runtime.address:
+    if model.runtime.address and not is_apart:
         return without(Reason.of("run.record_not_ours", address=model.runtime.address), command)
     if outside.state is None:
         return without(Reason.of("run.record_no_folder"), command)
