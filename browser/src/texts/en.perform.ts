@@ -120,7 +120,7 @@ export const enPerform = {
   'perform.lampDark': 'The lamp is dark.',
   'perform.underPanel': 'Close the panel first.',
   'perform.ended': 'Ended early',
-  'perform.endedAt': 'After {seconds} s and {n} of {of} actions.',
+  'perform.endedAt': 'After {seconds} s and {done}.',
   'perform.noCause': 'no reason is known',
   'perform.putBack': 'Put the workcell back',
   'perform.putBackHint': 'Everything stands at once where it stood at first; nothing else ends',

@@ -129,6 +129,7 @@ export const enRecording = {
   'review.going': 'Under way',
   'review.over': 'The run is over.',
   'review.overDone': 'The run was completed.',
+  'review.done': '{n} action|{n} actions',
   'review.doneOf': '{n} of {of} actions',
   'review.notRecorded': '{name} was not recorded.',
   'review.plot': '{unit} · click to go there',

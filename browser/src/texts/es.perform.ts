@@ -122,7 +122,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.lampDark': 'La lámpara está apagada.',
   'perform.underPanel': 'Cierre antes el panel.',
   'perform.ended': 'Terminó antes de tiempo',
-  'perform.endedAt': 'Tras {seconds} s y {n} de {of} acciones.',
+  'perform.endedAt': 'Tras {seconds} s y {done}.',
   'perform.noCause': 'no se conoce el motivo',
   'perform.putBack': 'Devolver la célula a su estado inicial',
   'perform.putBackHint': 'Todo está al momento donde estaba al principio; nada más termina',

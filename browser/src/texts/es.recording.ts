@@ -131,6 +131,7 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'review.going': 'En curso',
   'review.over': 'La ejecución ha terminado.',
   'review.overDone': 'La ejecución se completó.',
+  'review.done': '{n} acción|{n} acciones',
   'review.doneOf': '{n} de {of} acciones',
   'review.notRecorded': '{name} no se grabó.',
   'review.plot': '{unit} · pulse para ir allí',

@@ -94,3 +94,17 @@ def test_a_question_names_type_unit_bounds_and_default(low, high, default, end):
     shown = list(lines(event.Asked("main", "gauge", Reason.plain("too high"), (item,), 1.0)))
     assert shown[0] == ("     1.00 s  main/gauge: too high", Tone.ASK)
     assert shown[1] == (f"     1.00 s  main/gauge asks for level double in m, {end}", Tone.ASK)
+
+
+@pytest.mark.parametrize(
+    ("completed", "done", "of", "words"),
+    [
+        (True, 4, 4, "4 of 4 actions"),
+        (True, 12, 4, " 12 actions"),
+        (True, 1, 4, " 1 action"),
+        (False, 3, 4, "3 of 4 actions"),
+    ],
+)
+def test_a_run_with_loops_says_how_many_actions_and_not_of_how_many(completed, done, of, words):  # R-X21
+    result = event.Result(completed, NOTHING, done, of, 1.0, 1.0, {}, (), "")
+    assert words in lines(result)[0][0]

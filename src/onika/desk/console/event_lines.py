@@ -214,10 +214,17 @@ def _nobody() -> Reason:
     return Reason.of("console.nobody")
 
 
+def _done(result: event.Result) -> Reason:
+    """How many actions; of how many, where there were no loops or branches."""
+    if result.done == result.of or (result.done < result.of and not result.completed):
+        return Reason.of("console.done_of", done=result.done, of=result.of)
+    return Reason.of("console.done_times", done=result.done)
+
+
 def _result(result: event.Result) -> Line:
     because = _because(result.cause)
     if result.completed:
-        ending = Reason.of("console.completed", done=result.done, of=result.of, because=because)
+        ending = Reason.of("console.completed", done=_done(result), because=because)
         return _timed(result.runtime_s, ending), Tone.GOOD
-    ending = Reason.of("console.aborted", done=result.done, of=result.of, because=because)
+    ending = Reason.of("console.aborted", done=_done(result), because=because)
     return _timed(result.runtime_s, ending), Tone.FAULT
