@@ -18,6 +18,7 @@ from onika.runtime.modules.cycle_result import signal_of
 from onika.runtime.modules.module import Module
 from onika.runtime.picture import picture_size
 from onika.runtime.sandbox import sandbox_messages as messages
+from onika.runtime.sandbox.port_copies import PortCopies, put, take
 from onika.runtime.table import HEAD, plain
 from onika.words.fault import Fault
 from onika.words.reason import Reason
@@ -42,9 +43,7 @@ class ConfinedInstance:
         self._instance: Module | None = None
         self._binding: Binding | None = None
         self._guard: BindingGuard | None = None
-        self._copies: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
-        self._inputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
-        self._outputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
+        self._copies: PortCopies
         self._device: _PrivateDevice | None = None
         self._last_raised: BaseException | None = None
 
@@ -63,8 +62,7 @@ class ConfinedInstance:
         instance = self._instance
         if instance is None:
             return self._outcome(_not_bound)
-        for data, place in self._inputs:
-            data[:] = place
+        take(self._copies.inputs)
         if self._device is not None:
             self._device.take(published)
         instance.now = now
@@ -73,8 +71,7 @@ class ConfinedInstance:
             value = instance.cycle()
         except BaseException as wrong:  # whatever it is, it is said and does not end this process
             raised, value = self._raised(wrong), None
-        for data, place in self._outputs:
-            place[:] = data
+        put(self._copies.outputs)
         if raised is not None:
             return self._finished(raised)
         if value is None and not instance.warnings and self._device is None:
@@ -112,31 +109,20 @@ class ConfinedInstance:
         give_locals(self._instance, SimpleNamespace(**order.local))
         self._binding = Binding(self._instance, spawn, views, self._binding)
         self._guard = BindingGuard(self._instance)
-        places = {place.port: place for place in order.ports}
-        self._copies, self._inputs, self._outputs = [], [], []
-        for (name, _, array), declared in zip(self._binding.values, self._class.declared_ports.values(), strict=True):
-            place = places[name]
-            pair = array.view(np.uint8), self._memory[place.offset : place.offset + place.size]
-            self._copies.append(pair)
-            if not declared.kind.is_input:
-                self._outputs.append(pair)
-            elif declared.kind.at_cycle:
-                self._inputs.append(pair)
+        self._copies = PortCopies(self._binding, self._class.declared_ports, order.ports, self._memory)
 
     def _call(self, call: messages.Call) -> messages.Returned:
         instance = self._instance
         if instance is None:
             return self._outcome(_not_bound)
-        for data, place in self._copies if call.entry in messages.PREPARES else self._inputs:
-            data[:] = place
+        take(self._copies.every if call.entry in messages.PREPARES else self._copies.inputs)
         if self._device is not None:
             self._device.take(call.published)
         instance.now, instance.dt = call.now, call.dt
         if call.in_force is not None:
             instance.in_force = call.in_force
         outcome = self._outcome(lambda: self._entry(instance, call), call.entry)
-        for data, place in self._outputs:
-            place[:] = data
+        put(self._copies.outputs)
         return self._finished(outcome)
 
     def _entry(self, instance: Module, call: messages.Call) -> Any:

@@ -17,10 +17,11 @@ from onika.runtime.error import AskAgain, LawBroken, ModuleError, RaisedElsewher
 from onika.runtime.modules.binding import Binding
 from onika.runtime.modules.module import Module
 from onika.runtime.sandbox import sandbox_messages as messages
+from onika.runtime.sandbox.port_copies import PortCopies, put, take
 from onika.words.reason import Reason, reason_of
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    pass
 
 LOADING_S = 10.0
 """So long a sandbox may take to load, bind or initialise a module."""
@@ -75,28 +76,15 @@ class SandboxedModule(Module):
         self._places: tuple[messages.PortPlace, ...] = ()
         self._is_bound_there = True
         self._is_new = True
-        self._copies: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
-        self._inputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
-        self._outputs: list[tuple[NDArray[np.uint8], NDArray[np.uint8]]] = []
+        self._copies: PortCopies
         self._memory = np.frombuffer(self._sandbox.memory, np.uint8)
 
     def bound_to(self, binding: Binding) -> None:
         """Its ports are bound, or bound anew: where their values lie in the memory that the sandbox sees."""
         self._is_bound_there = self._is_new  # at first it has bound its ports itself, when it was loaded
         self._is_new = False
-        places = messages.places_of(((name, shape) for name, shape, _ in binding.values), self._grant)
-        self._copies, self._inputs, self._outputs = [], [], []
-        for (name, _, array), place, declared in zip(binding.values, places, self.declared_ports.values(), strict=True):
-            end = place.offset + place.size
-            if end > self._memory.size:
-                raise ValueError(Reason.of("runtime.sandbox_small", size=self._memory.size, name=name))
-            pair = array.view(np.uint8), self._memory[place.offset : end]
-            self._copies.append(pair)
-            if not declared.kind.is_input:
-                self._outputs.append(pair)
-            elif declared.kind.at_cycle:
-                self._inputs.append(pair)
-        self._places = places
+        self._places = messages.places_of(((name, shape) for name, shape, _ in binding.values), self._grant)
+        self._copies = PortCopies(binding, self.declared_ports, self._places, self._memory)
 
     # Entry points, carried out there
 
@@ -115,13 +103,11 @@ class SandboxedModule(Module):
 
     def cycle(self) -> Signal | None:
         """Inputs there, one cycle, outputs back."""
-        for data, place in self._inputs:
-            place[:] = data
+        put(self._copies.inputs)
         published = self._show_device() if self._grant is not None else 0
         answer = self._sandbox.ask(CYCLE.pack(CYCLE_LETTER, self.now, published), CALL_S)
         if answer == NOTHING_CAME_OF_IT:
-            for data, place in self._outputs:
-                data[:] = place
+            take(self._copies.outputs)
             return None
         return self._signal(self._taken(answer))
 
@@ -184,8 +170,7 @@ class SandboxedModule(Module):
         given: tuple[Any, ...] = (),
         in_force: frozenset[str] | None = None,
     ) -> messages.Returned:
-        for data, place in self._copies if entry in messages.PREPARES else self._inputs:
-            place[:] = data
+        put(self._copies.every if entry in messages.PREPARES else self._copies.inputs)
         published = self._show_device() if self._grant is not None else 0
         call = messages.Call(entry, self.now, self.dt, published, given, in_force)
         return self._taken(self._sandbox.ask(messages.encode(call), patience_s))
@@ -203,8 +188,7 @@ class SandboxedModule(Module):
     def _taken(self, answer: bytes) -> messages.Returned:
         """What came of a call: outputs, warnings, what the device is told; raises what was raised there."""
         returned = _decoded(answer)
-        for data, place in self._outputs:
-            data[:] = place
+        take(self._copies.outputs)
         self.warnings.extend(returned.warnings)
         if returned.device is not None:
             self._tell_device(returned.device)
