@@ -8,7 +8,7 @@ import pytest
 from onika.process import system_calls
 
 CHILD = """
-import ctypes, json, os, signal, socket, sys, threading
+import ctypes, fcntl, json, os, signal, socket, sys, threading
 from pathlib import Path
 from onika.process import system_calls
 
@@ -35,6 +35,7 @@ print(json.dumps({
     "reads": tried(lambda: (path / "text").read_text()),
     "sends to what is open": tried(lambda: own.send(b"x")),
     "maps memory": tried(lambda: bytearray(1 << 24)),
+    "asks of a descriptor": tried(lambda: fcntl.fcntl(own, fcntl.F_GETFD)),
     "has its own time": tried(lambda: __import__("time").sleep(0.001)),
     "opens a socket": tried(lambda: socket.socket(socket.AF_UNIX)),
     "begins a process": tried(os.fork),
@@ -46,6 +47,8 @@ print(json.dumps({
     "makes a file longer": tried(lambda: os.truncate(path / "text", 100)),
     "looks into another": tried(lambda: call(101 if os.uname().machine == "x86_64" else 117, 16, 1, 0, 0)),
     "takes another's descriptor": tried(lambda: call(438, 3, 0, 0)),
+    "has another signalled": tried(lambda: fcntl.fcntl(own, fcntl.F_SETOWN, 1)),
+    "chooses the signal": tried(lambda: fcntl.fcntl(own, fcntl.F_SETSIG, 9)),
     "opens a ring": tried(lambda: call(425, 1, 0)),
 }), flush=True)
 if len(sys.argv) > 2:
@@ -65,12 +68,12 @@ def outcome(tmp_path_factory):
 
 def test_a_process_that_only_computes_reads_sends_and_maps_memory(outcome):  # R-X16
     assert {name for name, what in outcome.items() if what == "done"} == {
-        "reads", "sends to what is open", "maps memory", "has its own time",
+        "reads", "sends to what is open", "maps memory", "asks of a descriptor", "has its own time",
     }  # fmt: skip
 
 
 def test_it_begins_nothing_opens_no_socket_and_touches_no_other_process(outcome):  # R-X16
-    assert len([what for what in outcome.values() if what in ("PermissionError", "RuntimeError")]) == 11
+    assert len([what for what in outcome.values() if what in ("PermissionError", "RuntimeError")]) == 13
 
 
 def test_it_may_end_itself(tmp_path):

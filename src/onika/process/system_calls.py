@@ -16,8 +16,8 @@ _SET_FILTER, _FILTER = 22, 2
 
 _LOAD, _EQUAL, _AT_LEAST, _RETURN = 0x20, 0x15, 0x35, 0x06
 """Instructions of the filter: load a word of what is called, compare it with a number, end."""
-_NUMBER, _MACHINE, _FIRST_WORD = 0, 4, 16
-"""Where the number of the call, the machine and the first argument lie."""
+_NUMBER, _MACHINE, _FIRST_WORD, _SECOND_WORD = 0, 4, 16, 24
+"""Where the number of the call, the machine and the first two arguments lie."""
 _ALLOW, _REFUSE, _END = 0x7FFF0000, 0x00050000, 0x80000000
 _OTHER_INTERFACE = 0x40000000
 """From here on numbers are those of another interface of the same machine (x32)."""
@@ -32,7 +32,7 @@ _CALLS = {
     "writev": (20, 66), "sched_yield": (24, 124), "mremap": (25, 216), "madvise": (28, 233), "nanosleep": (35, 101),
     "setitimer": (38, 103),
     "getpid": (39, 172), "sendto": (44, 206), "recvfrom": (45, 207), "sendmsg": (46, 211), "recvmsg": (47, 212),
-    "exit": (60, 93), "uname": (63, 160), "fcntl": (72, 25), "getcwd": (79, 17), "gettimeofday": (96, 169),
+    "exit": (60, 93), "uname": (63, 160), "getcwd": (79, 17), "gettimeofday": (96, 169),
     "sysinfo": (99, 179), "getuid": (102, 174), "getgid": (104, 176), "geteuid": (107, 175), "getegid": (108, 177),
     "sigaltstack": (131, 132), "gettid": (186, 178), "futex": (202, 98), "sched_getaffinity": (204, 123),
     "getdents64": (217, 61), "restart_syscall": (219, 128), "clock_gettime": (228, 113), "clock_getres": (229, 114),
@@ -46,6 +46,10 @@ _OLD_CALLS = {"open": 2, "stat": 4, "lstat": 6, "poll": 7, "access": 21, "select
 """The same in the older form that only x86_64 has."""
 _OF_ITSELF = {"kill": (62, 129), "tgkill": (234, 131)}
 """Signals, which a process may send to itself: so it aborts."""
+
+_OF_DESCRIPTORS = (72, 25)
+_SETS_OWNER = (8, 10, 15)
+"""What fcntl(2) may not be asked for: whom the system signals when something comes, and by which signal."""
 
 
 def can_be_left_out() -> bool:
@@ -89,5 +93,11 @@ def _program() -> bytes:
             (_RETURN, 0, 0, _ALLOW),
             (_LOAD, 0, 0, _NUMBER),
         ]
-    lines.append((_RETURN, 0, 0, _REFUSE | errno.EPERM))
+    lines += [
+        (_EQUAL, 0, 2 + len(_SETS_OWNER), _OF_DESCRIPTORS[column]),
+        (_LOAD, 0, 0, _SECOND_WORD),
+        *((_EQUAL, len(_SETS_OWNER) - number, 0, command) for number, command in enumerate(_SETS_OWNER)),
+        (_RETURN, 0, 0, _ALLOW),
+        (_RETURN, 0, 0, _REFUSE | errno.EPERM),
+    ]
     return b"".join(struct.pack("HBBI", *line) for line in lines)

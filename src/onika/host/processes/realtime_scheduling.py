@@ -9,6 +9,8 @@ _MCL_CURRENT, _MCL_ONFAULT = 1, 4
 PRIORITY = 50
 RUNNER_PRIORITY = 40
 """Of the runner between jobs: above everything that is not real time, below whatever cycles."""
+SANDBOX_PRIORITY = 45
+"""Of code of others: one that computes without end keeps no unit from its cycles but the one that waits for it."""
 
 
 def fine_timers() -> bool:

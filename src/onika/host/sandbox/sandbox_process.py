@@ -1,6 +1,7 @@
 """The process of a sandbox: it confines itself, then loads one module and carries out its entry points (R-X16)."""
 
 import argparse
+import gc
 import os
 import select
 import signal
@@ -14,7 +15,7 @@ import onika
 from onika.host.guards.memory_limit import bound
 from onika.host.processes.output_pipe import open_output_pipes
 from onika.host.processes.preloaded_libraries import preload
-from onika.host.processes.realtime_scheduling import become_real_time
+from onika.host.processes.realtime_scheduling import SANDBOX_PRIORITY, fine_timers, first_in_first_out, lock_memory
 from onika.link.launcher import ONE_THREAD, die_with_parent
 from onika.process import confinement, system_calls
 from onika.ring.segment import Segment
@@ -87,7 +88,11 @@ def main(words: list[str]) -> None:
     post.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 2 * LARGEST)
     memory = Segment.attach(given.memory_fd)
     bound()
-    become_real_time(given.fifo)
+    fine_timers()
+    lock_memory()
+    if given.fifo:
+        first_in_first_out(SANDBOX_PRIORITY)
+    gc.freeze()
     refused = refusal(*given.reads)
     if refused:
         post.send(encode(NotLoaded(refused)))

@@ -27,6 +27,8 @@ LOADING_S = 10.0
 """So long a sandbox may take to load, bind or initialise a module."""
 CALL_S = 0.8
 """So long any other call may take: less than makes a unit count as frozen."""
+_MOST_WARNINGS = 100
+"""Of one call; whoever warns more often floods nobody."""
 NOTHING_CAME_OF_IT = b"\0"
 CYCLE = struct.Struct("<cdQ")
 """The message for a cycle: the letter, the time, how often the device has published."""
@@ -189,7 +191,7 @@ class SandboxedModule(Module):
         """What came of a call: outputs, warnings, what the device is told; raises what was raised there."""
         returned = _decoded(answer)
         take(self._copies.outputs)
-        self.warnings.extend(returned.warnings)
+        self.warnings.extend(returned.warnings[:_MOST_WARNINGS])
         if returned.device is not None:
             self._tell_device(returned.device)
         if returned.raised is not None:
