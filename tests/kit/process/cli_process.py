@@ -21,8 +21,14 @@ from time import monotonic
 from types import TracebackType
 from typing import Any, Self
 
-ONIKA = (sys.executable, "-c", "import sys; from onika.cli import main; sys.exit(main())")
-"""The program `onika`, wherever it is installed."""
+ONIKA = (
+    sys.executable,
+    "-c",
+    "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    "from onika.cli import main; sys.exit(main())",
+)
+"""The program `onika`, wherever it is installed; Ctrl-C reaches it where a shell has begun the tests in the background
+too, which has what it begins there ignore Ctrl-C."""
 
 Event = dict[str, Any]
 
