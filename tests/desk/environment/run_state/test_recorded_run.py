@@ -46,3 +46,16 @@ def test_what_lived_for_it_is_told_once_and_not_at_every_instant(cinema, tape): 
     assert {name: variable.writers for name, variable in inside.variables.items()} == {"A": ("a",), "B": ("b",)}
     assert set(view.steps_by_task) == {"flow0/a", "flow0/b"}
     assert cinema.do(act.Glance(0.0)).run.steps_by_task == {}
+
+
+def test_a_black_box_without_a_workcell_says_that_none_is_kept(cinema):  # R-X05, R-X21
+    told = {}
+    for name, held_s in (("box", (0.0, 1.0)), ("whole", None)):
+        tape = cinema.tape(cinema.open([job("aC")]), name, held_s)
+        tape.tell(0.0, event.Began(0, 0, 1, "aC", 0.0))
+        tape.end()
+        told[name] = "desk.digest_black_box_workcell" in [note.key for note in cinema.look(tape.path).notes]
+    told["drawn"] = "desk.digest_black_box_workcell" in [
+        note.key for note in cinema.look(cinema.film(cinema.open([job("aC")]), "drawn", held_s=(0.4, 1.0))).notes
+    ]
+    assert told == {"box": True, "whole": False, "drawn": False}

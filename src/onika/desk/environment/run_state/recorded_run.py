@@ -90,6 +90,8 @@ def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
 def _black_box(review: Review) -> Iterator[Reason]:
     if review.black_box is not None:
         yield black_box_line(review.black_box, is_by_hand=review.run.is_by_hand)
+        if not review.worlds:
+            yield Reason.of("desk.digest_black_box_workcell")
 
 
 def _redirects(review: Review) -> Iterator[RedirectView]:
