@@ -19,6 +19,8 @@ from onika.wire.world_values import WORLD_VALUE
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
+HERE = "here"
+"""In place of the name of the first station, which has none."""
 NOTE, END, BLACK_BOX = "onika", "end", "black box"
 _TOO_SHORT = Reason.of("record.cut_short")
 _MOST_UNITS = 64

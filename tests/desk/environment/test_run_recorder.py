@@ -84,8 +84,11 @@ def test_a_run_that_goes_on_no_more_has_its_recording_whole(recorded):
     environment, recorder, path = recorded
     recorder.follow(None, environment.model)
     assert not _is_whole(path)
-    recorder.follow(None, SimpleNamespace(going=()))
+    lost = environment.run.shown(cause=Reason.plain("the cable"))
+    recorder.follow(None, SimpleNamespace(going=(), every_run=(lost,)))
     assert _is_whole(path)
+    with Review(path) as review:
+        assert review.ending["cause"] == "the cable"
 
 
 def test_so_has_one_that_goes_on_when_the_program_ends(recorded):

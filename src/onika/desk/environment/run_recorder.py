@@ -11,10 +11,10 @@ from msgspec import Struct, structs
 
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.reconcile.run_reducer import meant
-from onika.desk.environment.reconcile.station_names import called
 from onika.desk.environment.run_state import run_parts
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
+from onika.record.run import HERE
 from onika.wire import event, page, request
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -43,7 +43,7 @@ class RunRecorder:
         """A run is about to begin at its stations; why it cannot be recorded, NOTHING where it is."""
         from onika.desk.joined.joint_recording import JointRecording  # within: few ever need it
 
-        stations = {home: str(called(run.station_of(home))) for home in run.homes}
+        stations = {home: run.station_of(home) or HERE for home in run.homes}
         path = Path(run.view.recording)
         try:
             recording = JointRecording(prepare, structs.replace(begin, record=str(path)), stations)
@@ -91,16 +91,17 @@ class RunRecorder:
         if self._recordings:
             going = {run.view.number for run in after.going}
             for number in [number for number in self._recordings if number not in going]:
-                self._end(number)
+                causes = [run.view.cause for run in after.every_run if run.view.number == number]
+                self._end(number, next(iter(causes), NOTHING) or NOTHING)
 
     def close(self) -> None:
         """The program ends."""
         for number in list(self._recordings):
             self._end(number)
 
-    def _end(self, number: int) -> None:
+    def _end(self, number: int, cause: Reason = NOTHING) -> None:
         recording = self._recordings.pop(number)
         self._paths.pop(number)
-        recording.close()
+        recording.close(cause)
         if recording.reason and self._environment is not None:
             self._environment.say(page.Say("warning", Reason.of("host.recording_not_whole", why=recording.reason)))

@@ -61,9 +61,10 @@ class JointRecording:
                 if isinstance(taken, reading.Variable) and not self.reason:
                     self._take(key, taken.value)
 
-    def close(self) -> None:
-        """End it, where no result has."""
-        self._finish({"completed": "no", "cause": str(Reason.of("desk.record_left")), "hash": "", "outside": ""})
+    def close(self, cause: Reason = NOTHING) -> None:
+        """End it, where no result has; why the run has none."""
+        why = str(cause or Reason.of("desk.record_left"))
+        self._finish({"completed": "no", "cause": why, "hash": "", "outside": ""})
 
     def _take(self, key: str, newest: object) -> None:
         shape = told_value.shape_of(newest)

@@ -101,6 +101,12 @@ def test_the_end_leaves_what_was_under_way(play):  # R-E14
     assert steps(play) == {1: ("left", 0)} and play.view.asks == {}
 
 
+def test_what_is_remarked_at_the_end_stands_among_the_notes(play):  # R-E14, R-X05
+    play.run(play.open([job("aC")]))
+    play.environment.receive(event.Result(True, NOTHING, 1, 1, 1.0, 1.0, {}, (), "", remarks=(Reason.plain("cut"),)))
+    assert str(play.view.notes[-1]) == "cut"
+
+
 def test_words_of_another_run_change_nothing(play):
     play.run(play.open([job("aC")]))
     before = play.view

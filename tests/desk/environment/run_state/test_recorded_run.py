@@ -1,7 +1,11 @@
+from types import SimpleNamespace
+
 import pytest
 
 from kit.labs.laboratory import job
+from onika.desk.environment.run_state import recorded_run as room
 from onika.wire import act, event
+from onika.wire.view import FlowRunView
 from onika.words.reason import Reason
 
 
@@ -59,3 +63,10 @@ def test_a_black_box_without_a_workcell_says_that_none_is_kept(cinema):  # R-X05
         note.key for note in cinema.look(cinema.film(cinema.open([job("aC")]), "drawn", held_s=(0.4, 1.0))).notes
     ]
     assert told == {"box": True, "whole": False, "drawn": False}
+
+
+def test_each_flow_says_at_which_station_it_was():  # R-X05, R-E12
+    flows = {"flow0": FlowRunView(0), "flow1": FlowRunView(1), "flow2": FlowRunView(2)}
+    run = SimpleNamespace(view=SimpleNamespace(flows=flows))
+    shown = room._flows(run, {"flow0": "here", "flow1": "cmu"})
+    assert {home: flow.station for home, flow in shown.items()} == {"flow0": "", "flow1": "cmu", "flow2": ""}

@@ -92,6 +92,8 @@ def over(run: Run, result: event.Result) -> Run:
     """The run at its end (E14); what was under way is left."""
     for subsystem, flow in run.view.flows.items():
         run = _closed(run, subsystem, flow.step, result.runtime_s)
+    for remark in result.remarks:
+        run = run.noted(remark)
     ends = {number: _end(run.status(home)) for number, home in enumerate(run.homes)}
     can_go_on = not (result.completed or run.parts) and begin_places.is_anywhere(run.plan, ends)
     run = replace(run, ends=ends).shown(is_completed=result.completed, can_go_on=can_go_on)

@@ -19,9 +19,17 @@ from onika.desk.run.recorded_run import recorded_run
 from onika.desk.run.recording_digest import black_box_line
 from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.desk.run.settings import RecordingSource
+from onika.record.run import HERE
 from onika.record.series import Series
 from onika.wire import event
-from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
+from onika.wire.view import (
+    FlowRunView,
+    PassageView,
+    RecordedFlowView,
+    RecordedVariableView,
+    RecordingView,
+    RedirectView,
+)
 from onika.words.reason import NOTHING, Reason
 
 
@@ -54,9 +62,21 @@ def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, i
     run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
     run = replace(run, wording=recast.wording, durations=durations)
     steps_by_task = run.view.steps_by_task
+    run = run.shown(flows=_flows(run, review.run.stations))
     run = run.shown(state="running", recording=str(review.path), steps_by_task={})  # told once, not at every instant
     view = structs.replace(_view(review, run, recast), steps_by_task=steps_by_task)
     return ReviewedRun(review, RunHistory(run, review.events), view, run.wording)
+
+
+def _flows(run: Run, stations: Mapping[str, str]) -> dict[str, FlowRunView]:
+    """What is shown of its flows, with where each was carried out; empty: at the first station."""
+    return {
+        home: structs.replace(flow, station=_station(stations.get(home, HERE))) for home, flow in run.view.flows.items()
+    }
+
+
+def _station(name: str) -> str:
+    return "" if name == HERE else name
 
 
 def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
