@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from onika.files.site.launch_list import read, write
@@ -61,3 +63,11 @@ def test_two_of_one_name_and_two_at_one_port_are_told():
 
 def test_a_list_of_nothing_is_none():
     assert "expected LAUNCH" in faults_of("VERSION 2.0\nEOF\n")[0]
+
+
+def test_the_list_of_the_guide_is_read_as_it_stands_there():  # R-A15
+    guide = Path(__file__).parents[3] / "docs" / "guide" / "38-a-site-that-launches.md"
+    text = guide.read_text().partition("```text file=launches\n")[2].partition("```")[0]
+    launches, faults = read(text, "launches", "launches")
+    assert faults == ()
+    assert [launch.name for launch in launches] == ["arm", "sandbox"]
