@@ -112,6 +112,10 @@ def test_last_seconds_of_what_was_held_by_hand_need_no_application(cinema, tmp_p
     tape.end(completed="no", goes_on="yes", cause="servo: broken")
     view = cinema.look(tape.path)
     assert (view.name, view.doc, view.is_completed) == ("jog", "", False)
-    assert [note.key for note in view.notes][:2] == ["desk.digest_black_box_by_hand", "run.was_by_hand"]
+    assert [note.key for note in view.notes][:3] == [
+        "desk.digest_black_box_by_hand",
+        "desk.digest_black_box_workcell",
+        "run.was_by_hand",
+    ]
     assert list(view.variables) == ["jog/X"]
     assert view.cannot_continue
