@@ -3,7 +3,7 @@ import pytest
 
 from kit.runtime.executive_rig import ExecutiveRig
 from onika.runtime.sandbox.confined_instance import ConfinedInstance
-from onika.runtime.sandbox.sandbox_messages import Bind, Call, Declared, Load, NotLoaded, PortPlace, Returned
+from onika.runtime.sandbox.sandbox_messages import Bind, Call, Declared, Load, PortPlace, Refused, Returned
 
 SOURCE = """
 from onika.module import InVar, Module, OutVar
@@ -61,7 +61,7 @@ def test_before_it_is_bound_it_does_nothing():
 def test_what_cannot_be_loaded_is_said():
     confined = ConfinedInstance(memoryview(bytearray(64)))
     answer = confined.answer(Load(ExecutiveRig().spawn_of("bad", "1 +")))
-    assert isinstance(answer, NotLoaded)
+    assert isinstance(answer, Refused)
     assert "bad.py" in answer.reason.text or answer.reason.text
 
 

@@ -1,10 +1,11 @@
 import pytest
+from msgspec import structs
 
 from kit.runtime.executive_rig import HOME, ExecutiveRig
 from kit.runtime.local_sandbox import LocalSandbox, sandboxed
 from onika.runtime import news
 from onika.runtime.modules.sheet import sheet_of
-from onika.runtime.sandbox.sandbox_messages import ClassPort, Declared, encode
+from onika.runtime.sandbox.sandbox_messages import Declared, encode
 from onika.runtime.sandbox.sandboxed_class import load_sandboxed
 
 SOURCE = """
@@ -37,27 +38,30 @@ def test_the_class_declares_what_the_module_declares():  # R-X16
     assert sheet_of(cls).inputs == spawn.sandboxed_as.inputs
 
 
-def _declared(**changed):
-    port = {
-        "attribute": "Y",
-        "kind": "OUTVAR",
-        "name": "Y",
-        "shape": "double",
-        "unit": "-",
-        "meaning": "",
-        "step": None,
-    }
-    return encode(Declared((ClassPort(**port | changed),), (), (), False, False, False, 0))
+def _declared(attribute="Y", step=None, **changed):
+    """What the module above declares, with something else at its port."""
+    sheet = sandboxed(ExecutiveRig().spawn_of("scale", SOURCE, constants={"NDOF": 3})).sandboxed_as
+    ports = (sheet.ports[0], structs.replace(sheet.ports[1], **changed))
+    return encode(Declared(structs.replace(sheet, ports=ports), ("NDOF", attribute), (None, step)))
 
 
 @pytest.mark.parametrize(
     "answer",
-    [_declared(name="Q"), _declared(shape="int"), _declared(kind="OUTBOTH"), _declared(attribute="cycle"), _declared()],
+    [_declared(name="Q"), _declared(shape="int"), _declared(kind="OUTBOTH"), _declared(kind="NONE")],
 )
 def test_one_that_declares_something_else_than_when_it_was_looked_at_is_not_run(answer):  # R-X16
     rig, sandbox = tried([answer])
-    refused = rig.last(news.Refused)
-    assert "declares something else" in refused.reason or "stand for nothing else" in refused.reason
+    assert "declares something else" in rig.last(news.Refused).reason
+    assert sandbox.is_closed
+
+
+@pytest.mark.parametrize(
+    ("answer", "why"),
+    [(_declared(attribute="cycle"), "stand for nothing else"), (_declared(step="NOBODY"), "step")],
+)
+def test_names_in_python_and_steps_of_its_ports_are_checked_too(answer, why):  # R-X16
+    rig, sandbox = tried([answer])
+    assert why in rig.last(news.Refused).reason
     assert sandbox.is_closed
 
 

@@ -5,6 +5,7 @@ from kit.runtime.executive_rig import HOME, ExecutiveRig
 from kit.runtime.local_sandbox import LocalSandbox, sandboxed
 from onika.runtime import command, news
 from onika.runtime.sandbox.sandbox_messages import Declared, Returned, encode
+from onika.wire.sheet import ModuleSheet
 
 SOURCE = """
 from onika.module import AskAgain, InVar, Input, Local, Module, ModuleError, OutBoth, OutVar, finish
@@ -139,7 +140,13 @@ def test_whose_sandbox_has_ended_is_in_error_and_no_entry_mends_it():  # R-X16
 
 
 @pytest.mark.parametrize(
-    "answer", [b"\xc1", b"", encode(Declared((), (), (), False, False, False, 0)), b"\x81\xa4type\xa4Load"]
+    "answer",
+    [
+        b"\xc1",
+        b"",
+        encode(Declared(ModuleSheet((), (), (), False, False, False, 0, ""), (), ())),
+        b"\x81\xa4type\xa4Load",
+    ],
 )
 def test_what_cannot_be_understood_is_not_believed(answer):  # R-X16
     rig = Rig().on("70").run(3)

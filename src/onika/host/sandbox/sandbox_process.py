@@ -20,7 +20,7 @@ from onika.link.launcher import ONE_THREAD, die_with_parent
 from onika.process import confinement, system_calls
 from onika.ring.segment import Segment
 from onika.runtime.sandbox.confined_instance import ConfinedInstance
-from onika.runtime.sandbox.sandbox_messages import NotLoaded, decode_order, encode
+from onika.runtime.sandbox.sandbox_messages import Refused, decode_order, encode
 from onika.runtime.sandbox.sandboxed_module import CYCLE, CYCLE_LETTER, NOTHING_CAME_OF_IT
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -65,11 +65,11 @@ def _packed(answer: object) -> bytes:
     try:
         body = encode(answer)
     except (TypeError, ValueError, OverflowError) as wrong:  # what a module gives out need not be fit to be sent
-        return encode(NotLoaded(Reason.plain(str(wrong))))
+        return encode(Refused(Reason.plain(str(wrong))))
     return (
         body
         if len(body) < LARGEST
-        else encode(NotLoaded(Reason.of("host.answer_too_long", size=len(body), most=LARGEST)))
+        else encode(Refused(Reason.of("host.answer_too_long", size=len(body), most=LARGEST)))
     )
 
 
@@ -95,7 +95,7 @@ def main(words: list[str]) -> None:
     gc.freeze()
     refused = refusal(*given.reads)
     if refused:
-        post.send(encode(NotLoaded(refused)))
+        post.send(encode(Refused(refused)))
         select.select([post], [], [])
         return
     _serve(post, ConfinedInstance(memory.view))

@@ -2,6 +2,7 @@
 
 import os
 import socket
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,25 +52,26 @@ class Sandboxes:
     def begin(self, spawn: Spawn, unit: str = "") -> BegunSandbox:
         """Begin one that loads the module of this task; nothing waits for it. Raises ValueError with the reason."""
         self.bury()
-        if not self._processes:
-            preload_forks()
         if not (confinement.level() and system_calls.can_be_left_out()):
             raise ValueError(Reason.of("host.no_sandbox"))
-        try:
-            memory = Segment.create("sandbox", _size(spawn))
-            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        except OSError as refused:
-            raise ValueError(reason_of(refused)) from None
-        try:
-            process = start(_MODULE, theirs, self._words(spawn, memory), (memory.fd,), own_group=True)
-            self._processes.append((unit, process))
-            ours.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 2 * LARGEST)
-            ours.send(encode(Load(spawn)))
-            return BegunSandbox(ours, memory, os.pidfd_open(process.pid))
-        except OSError as refused:
-            for end in (ours, theirs, memory):
-                end.close()
-            raise ValueError(reason_of(refused)) from None
+        if not self._processes:
+            preload_forks()
+        with ExitStack() as opened:
+            try:
+                memory = Segment.create("sandbox", _size(spawn))
+                opened.callback(memory.close)
+                ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+                opened.callback(ours.close)
+                opened.callback(theirs.close)
+                process = start(_MODULE, theirs, self._words(spawn, memory), (memory.fd,), own_group=True)
+                self._processes.append((unit, process))
+                ours.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 2 * LARGEST)
+                ours.send(encode(Load(spawn)))
+                begun = BegunSandbox(ours, memory, os.pidfd_open(process.pid))
+            except OSError as refused:
+                raise ValueError(reason_of(refused)) from None
+            opened.pop_all()
+        return begun
 
     def _words(self, spawn: Spawn, memory: Segment) -> tuple[str, ...]:
         """It may read what its library has brought along, as a trained net."""

@@ -21,7 +21,7 @@ from onika.runtime.sandbox import sandbox_messages as messages
 from onika.runtime.sandbox.port_copies import PortCopies, put, take
 from onika.runtime.table import HEAD, plain
 from onika.words.fault import Fault
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 from onika.words.shape import Shape
 
 if TYPE_CHECKING:
@@ -80,16 +80,21 @@ class ConfinedInstance:
 
     # Inner
 
-    def _load(self, spawn: Spawn) -> messages.Declared | messages.NotLoaded:
+    def _load(self, spawn: Spawn) -> messages.Declared | messages.Refused:
         cls = load(spawn.source, spawn.path, spawn.module)
         if isinstance(cls, Fault):
-            return messages.NotLoaded(cls.sentence)
+            return messages.Refused(cls.sentence)
         self._spawn, self._class = spawn, cls
         shapes = {port.port: Shape.parse(port.shape) for port in spawn.ports}
         names = [declared.name or attribute for attribute, declared in cls.declared_ports.items()]
         places = messages.places_of(((name, shapes[name]) for name in names if name in shapes), spawn.device)
         outcome = self._outcome(lambda: self._bind(messages.Bind(places, {})))
-        return messages.declared(cls) if outcome.raised is None else messages.NotLoaded(outcome.raised.why)
+        if outcome.raised is not None:
+            return messages.Refused(outcome.raised.why)
+        try:
+            return messages.declared(cls)
+        except ValueError as wrong:
+            return messages.Refused(reason_of(wrong))
 
     def _bind(self, order: messages.Bind) -> None:
         if self._spawn is None or self._class is None:

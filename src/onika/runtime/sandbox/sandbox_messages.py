@@ -9,8 +9,11 @@ from msgspec import Struct, msgpack
 
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.command import DeviceGrant, Spawn
+from onika.runtime.declaration import Step
 from onika.runtime.modules.module import Module
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.picture import picture_size
+from onika.wire.sheet import ModuleSheet
 from onika.words.reason import NOTHING, KeyedSentence, Reason, as_reason
 from onika.words.shape import Shape
 
@@ -19,55 +22,15 @@ _ARRAY = 1
 _PLAIN_NUMBERS = re.compile(r"[<>|=]?[?biuf][0-9]*\Z")
 
 
-class ClassPort(Struct, frozen=True):
-    """A port as the class declares it; `attribute` is its name in Python."""
-
-    attribute: str
-    kind: str
-    name: str
-    shape: str
-    unit: str
-    meaning: str
-    step: float | str | tuple[float | str, ...] | None
-
-
-class ClassInput(Struct, frozen=True):
-    """An input of the user."""
-
-    attribute: str
-    shape: str
-    unit: str
-    meaning: str
-    low: float | str | None
-    high: float | str | None
-    default: Any
-
-
-class ClassLocal(Struct, frozen=True):
-    """A parameter of the LOCAL block."""
-
-    attribute: str
-    shape: str
-    unit: str
-    meaning: str
-    default: Any
-    low: float | None
-    high: float | None
-
-
 class Declared(Struct, frozen=True, tag=True):
-    """The class was loaded: what it declares."""
+    """The class was loaded: what it declares, and of each port its name in Python and its step."""
 
-    ports: tuple[ClassPort, ...]
-    inputs: tuple[ClassInput, ...]
-    locals: tuple[ClassLocal, ...]
-    trigger: bool
-    passive: bool
-    hardware: bool
-    crit: int
+    sheet: ModuleSheet
+    attributes: tuple[str, ...]
+    steps: tuple[Step, ...]
 
 
-class NotLoaded(Struct, frozen=True, tag=True):
+class Refused(Struct, frozen=True, tag=True):
     """The class could not be loaded, or the process could not be confined."""
 
     reason: Reason
@@ -136,7 +99,7 @@ class Returned(Struct, frozen=True, tag=True):
     device: DeviceOrderGiven | None = None
 
 
-Answer = Declared | NotLoaded | Returned
+Answer = Declared | Refused | Returned
 
 PREPARES = frozenset(("init", "reinit", "on"))
 """The entry points before which all ports are shown; before others only the inputs of cycles: outputs are its own."""
@@ -170,25 +133,9 @@ def _aligned(offset: int) -> int:
 
 
 def declared(cls: type[Module]) -> Declared:
-    """What a class declares."""
-    return Declared(
-        tuple(
-            ClassPort(attribute, port.kind.value, port.name, str(port.shape), port.unit, port.meaning, port.step)
-            for attribute, port in cls.declared_ports.items()
-        ),
-        tuple(
-            ClassInput(attribute, str(one.shape), one.unit, one.meaning, one.low, one.high, one.default)
-            for attribute, one in cls.declared_inputs.items()
-        ),
-        tuple(
-            ClassLocal(attribute, str(one.shape), one.unit, one.meaning, one.default, one.low, one.high)
-            for attribute, one in cls.declared_locals.items()
-        ),
-        cls.trigger,
-        cls.passive,
-        cls.hardware,
-        cls.crit,
-    )
+    """What a class declares; raises ValueError where its declarations contradict each other."""
+    ports = cls.declared_ports
+    return Declared(sheet_of(cls), tuple(ports), tuple(port.step for port in ports.values()))
 
 
 def as_said(sentence: object) -> Reason:
@@ -227,4 +174,4 @@ def _unpacked(code: int, data: memoryview) -> Any:
 
 encode = msgpack.Encoder(enc_hook=_packed).encode
 decode_order = msgpack.Decoder(Load | Bind | Call, ext_hook=_unpacked).decode
-decode_answer = msgpack.Decoder(Declared | NotLoaded | Returned, ext_hook=_unpacked).decode
+decode_answer = msgpack.Decoder(Declared | Refused | Returned, ext_hook=_unpacked).decode

@@ -6,8 +6,6 @@ What a module declared when it was looked at was held against its `.rmod` and ag
 from collections.abc import Mapping
 from typing import Any
 
-from msgspec import structs
-
 from onika.model.port import PortKind
 from onika.runtime import declaration
 from onika.runtime.command import DeviceGrant, Spawn
@@ -30,24 +28,26 @@ _DECLARATIONS: dict[str, type[PortDeclaration]] = {
 
 def sandboxed_class(declared: messages.Declared, sandbox: Sandbox, grant: DeviceGrant | None) -> type[SandboxedModule]:
     """The class of a task whose module is in this sandbox; raises ValueError where the declarations cannot be."""
+    sheet = declared.sheet
     attributes: dict[str, Any] = {
+        "__doc__": sheet.doc,
         "_sandbox": sandbox,
         "_grant": grant,
-        "trigger": declared.trigger,
-        "passive": declared.passive,
-        "hardware": declared.hardware,
-        "crit": declared.crit,
+        "trigger": sheet.trigger,
+        "passive": sheet.passive,
+        "hardware": sheet.hardware,
+        "crit": sheet.crit,
     }
-    for port in declared.ports:
-        attributes[_free(port.attribute, attributes)] = _DECLARATIONS[port.kind](
-            port.shape, port.unit, port.meaning, name=port.name, step=port.step
+    for attribute, port, step in zip(declared.attributes, sheet.ports, declared.steps, strict=True):
+        attributes[_free(attribute, attributes)] = _DECLARATIONS[port.kind](
+            port.shape, port.unit, port.meaning, name=port.name, step=step
         )
-    for given in declared.inputs:
-        attributes[_free(given.attribute, attributes)] = Input(
+    for given in sheet.inputs:
+        attributes[_free(given.name, attributes)] = Input(
             given.shape, given.unit, given.meaning, low=given.low, high=given.high, default=given.default
         )
-    for local in declared.locals:
-        attributes[_free(local.attribute, attributes)] = Local(
+    for local in sheet.locals:
+        attributes[_free(local.name, attributes)] = Local(
             local.shape, local.unit, local.meaning, default=local.default, low=local.low, high=local.high
         )
     return type("SandboxedTask", (SandboxedModule,), attributes)
@@ -63,17 +63,14 @@ def load_sandboxed(spawn: Spawn, sandbox: Sandbox | None) -> type[SandboxedModul
     answer = message_of(sandbox.answer(LOADING_S))
     match answer:
         case messages.Declared():
-            cls = sandboxed_class(answer, sandbox, spawn.device)
-            if spawn.sandboxed_as != structs.replace(sheet_of(cls), doc=_doc_of(spawn)):
+            if answer.sheet != spawn.sandboxed_as:
                 return Reason.of("runtime.sandbox_declares")
+            cls = sandboxed_class(answer, sandbox, spawn.device)
+            sheet_of(cls)  # its steps stand in no sheet, and may be wrong
             return cls
-        case messages.NotLoaded():
+        case messages.Refused():
             return answer.reason
     raise LawBroken(Reason.of("runtime.sandbox_answer", why=type(answer).__name__))
-
-
-def _doc_of(spawn: Spawn) -> str:
-    return spawn.sandboxed_as.doc if spawn.sandboxed_as is not None else ""
 
 
 def _free(attribute: str, taken: Mapping[str, Any]) -> str:

@@ -6,7 +6,7 @@ runtime is in its reach (requirement X16).
 
 import struct
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from msgspec import MsgspecError
@@ -19,9 +19,6 @@ from onika.runtime.modules.module import Module
 from onika.runtime.sandbox import sandbox_messages as messages
 from onika.runtime.sandbox.port_copies import PortCopies, put, take
 from onika.words.reason import Reason, reason_of
-
-if TYPE_CHECKING:
-    pass
 
 LOADING_S = 10.0
 """So long a sandbox may take to load, bind or initialise a module."""
@@ -224,7 +221,7 @@ def _exception(raised: messages.Raised) -> AskAgain | ModuleError | RaisedElsewh
 
 def _decoded(answer: bytes) -> messages.Returned:
     message = message_of(answer)
-    if isinstance(message, messages.NotLoaded):
+    if isinstance(message, messages.Refused):
         raise LawBroken(message.reason)
     if not isinstance(message, messages.Returned):
         raise LawBroken(Reason.of("runtime.sandbox_answer", why=type(message).__name__))
