@@ -94,6 +94,16 @@ def test_a_world_is_opened_and_steps_on_the_grid_of_wall_time(server):  # law 16
     assert server.heartbeat.last_ns > 0
 
 
+def test_what_there_is_to_draw_is_worked_out_before_anything_moves(server, monkeypatch):  # law 16, R-X19
+    orders = []
+    monkeypatch.setattr(MassWorld, "scene", lambda world: orders.append("scene") or [])
+    monkeypatch.setattr(MassWorld, "step", lambda world, until_ns: orders.append("step"))
+    server.open()
+    while "step" not in orders:
+        pass
+    assert orders[:2] == ["scene", "step"]
+
+
 def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
     server.open()
     grant = server.claim()

@@ -60,6 +60,18 @@ def test_the_arm_that_the_hand_brought_makes_room_for_the_one_that_is_claimed():
     assert [shape.body for shape in world.scene()][-1] < before - 2
 
 
+def test_what_there_is_to_draw_is_worked_out_once_for_the_arms_that_stand_there(monkeypatch):  # R-X19, law 16
+    world, compiled = claimed("arm_left"), []
+    former = world._compile
+    monkeypatch.setattr(world, "_compile", lambda *words, **more: compiled.append(more) or former(*words, **more))
+    assert world.scene() == world.scene()
+    world.release("arm_left", 1)
+    arms = world.scene()
+    world.claim("scara_left", 1)
+    assert world.scene() == world.scene() != arms
+    assert compiled == [{"is_drawn": True}, {"is_drawn": False}, {"is_drawn": True}]
+
+
 @pytest.mark.parametrize(
     ("inside", "wanted", "sentence"),
     [

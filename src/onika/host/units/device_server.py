@@ -319,10 +319,12 @@ class DeviceServer:
             return Denied(reason_of(wrong))
 
     def _open(self, world: str, segment: Segment, files: WorldSource | None) -> WorldOpened:
-        """To open a world may take long; nothing moves in it yet."""
+        """To open a world may take long, as may what there is to draw of large meshes; nothing moves in it yet."""
         self._heartbeat.is_slow(True)
         try:
-            return WorldOpened(world, self._worlds.open(world, segment, self._now(), files))
+            is_simulated = self._worlds.open(world, segment, self._now(), files)
+            self._worlds.scene(world)  # now: whoever looks later must not let it stand still
+            return WorldOpened(world, is_simulated)
         finally:
             self._heartbeat.beat()
             self._heartbeat.is_slow(False)

@@ -57,6 +57,7 @@ class FileWorld(DrivenWorld):
         world = self._composition.world
         self.step_ns = round(world.step_s * 1e9)
         self._offsets = part_places.offsets(world.parts, seed)
+        self._scenes: dict[tuple[tuple[str, str], ...], list[Shape3d]] = {}
         self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         units = [*robot_units(self._composition, self._model_with)]
@@ -128,8 +129,13 @@ class FileWorld(DrivenWorld):
         return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark), *away)
 
     def scene(self) -> list[Shape3d]:
-        """What there is to draw; changes when another robot stands at a place."""
-        shapes = looked_at(Plant(self._compile(self._stands.acting, is_drawn=True)))
+        """What there is to draw; changes when another robot stands at a place. Worked out once for each such change."""
+        standing = tuple(self._stands.acting.items())
+        if standing not in self._scenes:
+            self._scenes[standing] = self._painted(looked_at(self._drawn_plant()))
+        return self._scenes[standing]
+
+    def _painted(self, shapes: Sequence[Shape3d]) -> list[Shape3d]:
         lamps = [lamp.lamp for lamp in self._lamps]
         paints = {shape: BULB for lamp in lamps for shape in lamp.shines}
         paints |= {shape: GLOW for lamp in lamps for shape in lamp.glows}
@@ -147,11 +153,14 @@ class FileWorld(DrivenWorld):
 
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
-        drawn = Plant(self._compile(self._stands.acting, is_drawn=True))
+        drawn = self._drawn_plant()
         glows = [(name, bool(lamp.flags.all())) for lamp in self._lamps for name in lamp.lamp.glows]
         lit, dark = ([name for name, shines in glows if shines is wanted] for wanted in (True, False))
         picture = still(drawn, self.poses(), self.lit, lit, dark)
         return encode(WorldSnapshot(picture, self.now_ns * 1e-9))
+
+    def _drawn_plant(self) -> Plant:
+        return Plant(self._compile(self._stands.acting, is_drawn=True))
 
     def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
         return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)
