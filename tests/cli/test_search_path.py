@@ -1,9 +1,12 @@
 import argparse
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import access_here, directory, site_here
+from onika.store.remote.credential import Credential
+from onika.words.reason import Reason
 
 
 def test_directories_of_the_command_line_come_first_then_those_of_the_environment(tmp_path, monkeypatch):  # reading 11
@@ -24,3 +27,18 @@ def test_a_base_directory_has_to_be_there(tmp_path):  # R-B07
     for text in (str(tmp_path / "nowhere"), str(Path(__file__))):
         with pytest.raises(argparse.ArgumentTypeError, match="expected a base directory, found none at"):
             directory(text)
+
+
+@pytest.mark.parametrize(
+    ("name", "typed", "credential"),
+    [("ann", "secret", Credential("secret", "ann")), ("", "a token", Credential("a token")), ("", "", None)],
+)
+def test_at_a_terminal_one_is_asked_for_a_password_or_a_token(monkeypatch, name, typed, credential):  # R-F03
+    asked = []
+    monkeypatch.setattr("sys.stdin", SimpleNamespace(isatty=lambda: True))
+    monkeypatch.setattr("builtins.input", lambda _: name)
+    monkeypatch.setattr("getpass.getpass", lambda question: asked.append(question) or typed)
+    ask = access_here()._ask
+    assert ask is not None
+    assert ask("cmu.example", Reason.of("store.password_needed", host="cmu.example")) == credential
+    assert asked == ["password: " if name else "token (nothing: go without): "]

@@ -1,5 +1,8 @@
+import re
+
 import pytest
 
+from kit.labs.library_site import LibrarySite
 from kit.link.private_door import PrivateDoor
 from onika.cli import main
 from onika.files.state.kept_certificates import certificate_path
@@ -7,6 +10,7 @@ from onika.files.state.known_sites import KnownSites, known_sites_path
 from onika.link.shown_certificate import fingerprint_of
 from onika.link.starting.site_client import SiteClient
 from onika.link.token import digest
+from onika.store.remote.publication import fingerprint_of as key_fingerprint
 from onika.wire.site_card import SiteCard
 
 LIST = "VERSION 2.0\nLAUNCH arm\nWORLD boxes\nEOF\n"
@@ -53,7 +57,9 @@ def test_sites_that_are_known_are_shown_and_forgotten(listed, capsys):  # R-F06
     assert "no site is known as cmu" in capsys.readouterr().err
 
 
-def test_where_a_site_listens_is_said_in_one_line(listed, capsys, monkeypatch):  # R-A15
+def test_where_a_site_and_its_library_are_is_said_and_with_which_key_it_is_signed(  # R-A15, R-F03
+    listed, capsys, monkeypatch, tmp_path
+):
     from onika.agent.program import SiteProgram
 
     users = listed.with_name("users")
@@ -68,7 +74,13 @@ def test_where_a_site_listens_is_said_in_one_line(listed, capsys, monkeypatch): 
     monkeypatch.setattr(SiteProgram, "run", run)
     words = ["site", "serve", str(listed), "--name", "cmu", "--listen", "127.0.0.1:0", "--users", str(users)]
     assert main(words) == 0
-    assert "cmu listens on 127.0.0.1:" in capsys.readouterr().out
+    only = capsys.readouterr().out
+    assert "cmu listens on 127.0.0.1:" in only and only.count("\n") == 1
+    library = LibrarySite(tmp_path)
+    assert main([*words, "--library", str(library.base), "--library-key", str(library.key)]) == 0
+    _, at, signed = capsys.readouterr().out.splitlines()
+    assert re.fullmatch(r"its library wings is at http://127\.0\.0\.1:[0-9]+/library", at)
+    assert signed == f"signed by {key_fingerprint(library.key.with_suffix('.pub'))}"
 
 
 def test_a_certificate_that_its_machine_has_made_is_trusted_by_name_only(listed, capsys, tmp_path):  # R-F02

@@ -36,10 +36,10 @@ def access_here() -> LibraryAccess:
 
 
 def _password(host: str, why: Reason) -> Credential | None:
-    """What the user types; nothing is none. It is kept in memory for this command only."""
+    """What the user types, a token where no name; nothing is none. It is kept in memory for this command only."""
     print(say(why), file=sys.stderr)
     user = input(say(Reason.of("cli.library_user", host=host)))
-    secret = getpass.getpass(say(Reason.of("cli.library_password"))) if user else ""
+    secret = getpass.getpass(say(Reason.of("cli.library_password" if user else "cli.library_token")))
     return Credential(secret, user) if secret else None
 
 

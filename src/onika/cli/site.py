@@ -147,7 +147,7 @@ def _serve(given: argparse.Namespace) -> int:
     except OSError as wrong:
         return _no(reason_of(wrong), 2)
     with in_order():
-        program.run(lambda place: _tell(name, place, token_at))
+        program.run(lambda place: _tell(name, place, token_at, _library_lines(library, place, settings.certificate)))
     return 0
 
 
@@ -159,10 +159,20 @@ def _library(given: argparse.Namespace, state: Path) -> Publisher:
     return Publisher(base, folder.absolute(), given.library_key, name)
 
 
-def _tell(name: str, place: str, token_at: str) -> None:
-    """One line and one write, so that whoever waits for it reads it whole."""
+def _library_lines(library: Publisher | None, place: str, certificate: str) -> list[Reason]:
+    """Where others find the library of the site, and the key with which they compare."""
+    if library is None:
+        return []
+    address = f"{'https' if certificate else 'http'}://{place}/library"
+    signed = Reason.of("cli.library_signer", signer=library.signer) if library.signer else None
+    return [line for line in (Reason.of("cli.site_library_at", library=library.name, address=address), signed) if line]
+
+
+def _tell(name: str, place: str, token_at: str, library_lines: list[Reason]) -> None:
+    """One write, so that whoever waits for the first line reads it whole."""
     token = Reason.of("cli.site_token_at", path=token_at) if token_at else Reason.plain("")
-    sys.stdout.write(f"{say(Reason.of('cli.site_serves', name=name, place=place, token=token))}\n")
+    lines = [Reason.of("cli.site_serves", name=name, place=place, token=token), *library_lines]
+    sys.stdout.write("".join(f"{say(line)}\n" for line in lines))
     sys.stdout.flush()
 
 
