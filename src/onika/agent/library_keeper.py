@@ -163,13 +163,20 @@ class LibraryKeeper:
         files = " ".join(f"{file.path}@{sha256(file.content).hexdigest()[:16]}" for file in change.files[:_NAMED])
         match answer:
             case ChangeTaken(version=version):
-                what, more = "library changed", f"version {version}"
+                result = f"version {version}"
             case ChangedMeanwhile(files=present):
-                what, more = "library change behind", " ".join(file.path for file in present[:_NAMED])
+                result = f"behind {' '.join(file.path for file in present[:_NAMED])}"
             case ChangeRefused(reason=reason):
-                what, more = "library change refused", str(reason)
-        note, weighs = change.note[:_LONGEST_NOTE], isinstance(answer, ChangeTaken)
-        self._trail.note(what, weighs, user=guest.name, library=self.publisher.name, files=files, more=more, note=note)
+                result = f"refused:{reason}"
+        self._trail.note(
+            "ChangeLibrary",
+            isinstance(answer, ChangeTaken),
+            who=guest.name,
+            role=guest.role.word,
+            on=self.publisher.name,
+            about=f"{files} {change.note[:_LONGEST_NOTE]}".strip(),
+            result=result,
+        )
 
 
 def _hash(content: bytes | None) -> str:

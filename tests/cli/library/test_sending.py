@@ -64,5 +64,8 @@ def test_a_site_takes_changes_from_whoever_may_bring_code(home, tmp_path, capsys
         assert (far.base / RMOD).read_text() == wink(says="blinks")
     finally:
         site.end()
-    trail = (site.state / "onika/audit/library-wings.log").read_text()
-    assert '"library changed"' in trail and "pat" in trail
+    capsys.readouterr()
+    assert main(["audit", str(site.state / "onika/audit/library-wings.log")]) == 0
+    refused, taken, _ = capsys.readouterr().out.splitlines()
+    assert "eve viewer  ChangeLibrary wings module/wink.rmod@" in refused and "programmer is wanted" in refused
+    assert "pat programmer  ChangeLibrary wings module/wink.rmod@" in taken and taken.endswith(": version 2")

@@ -26,7 +26,7 @@ def test_nothing_in_a_record_steers_the_terminal():
 
 
 def test_the_verdict_names_the_head_or_the_faults():  # R-X12
-    assert str(verdict(TrailReading(records=[STOP], head="abc"))) == "1 records, whole; head abc"
+    assert str(verdict(TrailReading(records=[STOP], head="abc"))) == "1 record, whole; head abc"
     assert "going on from" in str(verdict(TrailReading(begins="abc")))
     assert (
         str(
