@@ -9,7 +9,7 @@ from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
-DRAFTER = (sys.executable, "-m", "onika.workcell.composed.draft")
+DRAFTER = (sys.executable, "-m", "onika.workcell.drafting.draft")
 _PATIENCE_S = 300
 
 

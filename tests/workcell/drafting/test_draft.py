@@ -11,7 +11,7 @@ from onika.files import robot as robot_file
 from onika.model.robot import RobotArm, RobotBase, RobotGripper
 from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldFile, WorldSource
-from onika.workcell.composed.draft import draft
+from onika.workcell.drafting.draft import draft
 
 
 def source(text):
@@ -79,6 +79,6 @@ def test_a_mesh_that_cannot_be_read_is_named():  # R-X19
 
 
 def test_it_is_a_program_that_answers_in_bytes():  # R-X19
-    command = [sys.executable, "-m", "onika.workcell.composed.draft", "new", "new.xml"]
+    command = [sys.executable, "-m", "onika.workcell.drafting.draft", "new", "new.xml"]
     done = subprocess.run(command, input=msgpack.encode(source(ARM)), capture_output=True, check=True)
     assert msgpack.decode(done.stdout, type=RobotDraft) == draft(source(ARM), "new", "new.xml")

@@ -5,8 +5,8 @@ import pytest
 from kit.worlds.file_cells import ARM
 from kit.worlds.robot_models import PLAIN
 from onika.model.robot import RobotAxes
-from onika.workcell.composed.draft_chain import draft_chain
-from onika.workcell.composed.draft_gripper import draft_hand
+from onika.workcell.drafting.draft_chain import draft_chain
+from onika.workcell.drafting.draft_gripper import draft_hand
 
 
 def hand_of(text):

@@ -1,4 +1,4 @@
-"""The first draft of a robot's description: `python -m onika.workcell.composed.draft NAME FILE < files > draft`.
+"""The first draft of a robot's description: `python -m onika.workcell.drafting.draft NAME FILE < files > draft`.
 
 The input is a `WorldSource` with the model and what it needs, the output a `RobotDraft`, both in msgpack. It is a
 program of its own, so that whoever writes descriptions needs no physics. Exit 0: there is an answer; 2: wrong words.
@@ -20,23 +20,23 @@ from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
-from onika.workcell.composed.draft_base import AHEAD_M, BASE, DraftBase, draft_base
-from onika.workcell.composed.draft_cameras import draft_cameras
-from onika.workcell.composed.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
-from onika.workcell.composed.draft_gripper import DraftHand, draft_hand
-from onika.workcell.composed.draft_home import DraftHome, draft_home
-from onika.workcell.composed.draft_motion import (
+from onika.workcell.composed.gripper_facts import GripperFacts
+from onika.workcell.composed.joint_facts import STRONGEST, JointFacts
+from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mocap, robot_model, robot_spec
+from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.drafting.draft_base import AHEAD_M, BASE, DraftBase, draft_base
+from onika.workcell.drafting.draft_cameras import draft_cameras
+from onika.workcell.drafting.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
+from onika.workcell.drafting.draft_gripper import DraftHand, draft_hand
+from onika.workcell.drafting.draft_home import DraftHome, draft_home
+from onika.workcell.drafting.draft_motion import (
     LEAST_JOINTS,
     beside_home,
     lowest_point,
     seconds_between,
     straight_line,
 )
-from onika.workcell.composed.draft_units import doubtful_units
-from onika.workcell.composed.gripper_facts import GripperFacts
-from onika.workcell.composed.joint_facts import STRONGEST, JointFacts
-from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mocap, robot_model, robot_spec
-from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.drafting.draft_units import doubtful_units
 
 Comment = tuple[str, str, Reason]
 Guesses = tuple[DraftChain, DraftTool, DraftHand, DraftHome]
@@ -49,7 +49,7 @@ _URDF = ".urdf"
 def main(words: list[str]) -> int:
     """Read the files, write the draft; gives the exit code."""
     if len(words) != 2:
-        sys.stderr.write("usage: python -m onika.workcell.composed.draft NAME FILE < files > draft\n")
+        sys.stderr.write("usage: python -m onika.workcell.drafting.draft NAME FILE < files > draft\n")
         return 2
     mujoco.set_mju_user_warning(lambda _text: None)
     files = msgpack.decode(sys.stdin.buffer.read(), type=WorldSource)

@@ -9,7 +9,7 @@ import numpy as np
 
 from onika.laws.frames import Array
 from onika.words.reason import Reason
-from onika.workcell.composed.draft_chain import DraftChain
+from onika.workcell.drafting.draft_chain import DraftChain
 
 _DEEP_M = 0.001
 _INWARD = 0.1  # so much of its range a joint keeps off its limits

@@ -2,9 +2,9 @@ import mujoco
 import numpy as np
 
 from kit.worlds.file_cells import ARM, files_of
-from onika.workcell.composed.draft_motion import beside_home, lowest_point, seconds_between, straight_line
 from onika.workcell.composed.robot_model import robot_model
 from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.drafting.draft_motion import beside_home, lowest_point, seconds_between, straight_line
 
 MODEL = mujoco.MjModel.from_xml_string(ARM)
 

@@ -4,7 +4,7 @@ import pytest
 
 from kit.worlds.robot_models import PLAIN
 from onika.wire.world_source import WorldFile, WorldSource
-from onika.workcell.composed.draft import draft
+from onika.workcell.drafting.draft import draft
 
 CORNERS = ((0, 0, 0), (300, 0, 0), (0, 200, 0), (0, 0, 100))
 FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))

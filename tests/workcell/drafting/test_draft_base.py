@@ -4,7 +4,7 @@ import mujoco
 import pytest
 
 from kit.worlds.new_bases import CAR, SLED, car
-from onika.workcell.composed.draft_base import draft_base
+from onika.workcell.drafting.draft_base import draft_base
 
 
 def found(text):

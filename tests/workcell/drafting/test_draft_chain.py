@@ -3,7 +3,7 @@ import numpy as np
 
 from kit.worlds.file_cells import ARM
 from kit.worlds.robot_models import PLAIN, STATUE
-from onika.workcell.composed.draft_chain import below, draft_chain, draft_tool
+from onika.workcell.drafting.draft_chain import below, draft_chain, draft_tool
 
 MOTORS = '<actuator><motor joint="turn"/><motor joint="bend"/></actuator></mujoco>'
 

@@ -11,7 +11,7 @@ import numpy as np
 from onika.laws.frames import Array
 from onika.model.robot import RobotAxes, RobotDevice, RobotGripper
 from onika.words.reason import Reason
-from onika.workcell.composed.draft_chain import DraftChain, below
+from onika.workcell.drafting.draft_chain import DraftChain, below
 
 _MOST = 2  # actuators that a gripper has; more are fingers of a hand
 _STEPS = 500

@@ -4,8 +4,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from onika.workcell.composed.draft_chain import draft_chain
-from onika.workcell.composed.draft_home import draft_home
+from onika.workcell.drafting.draft_chain import draft_chain
+from onika.workcell.drafting.draft_home import draft_home
 
 FOLDED = """
 <mujoco><worldbody><body name="base">

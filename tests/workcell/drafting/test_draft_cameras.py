@@ -7,8 +7,8 @@ from kit.worlds.file_cells import ARM
 from onika.files import robot as robot_file
 from onika.model.camera import CameraBlock
 from onika.wire.world_source import WorldFile, WorldSource
-from onika.workcell.composed.draft import draft
-from onika.workcell.composed.draft_cameras import MOST, draft_cameras
+from onika.workcell.drafting.draft import draft
+from onika.workcell.drafting.draft_cameras import MOST, draft_cameras
 
 
 def cameras(*lines, taken=()):
