@@ -1,6 +1,6 @@
 """A small world in which an arm from a file takes things off a table: cubes, a post that is round, a plate too wide."""
 
-from kit.worlds.file_cells import CELL, files_of
+from kit.worlds.file_cells import ARM, CELL, files_of
 from onika.ring.device import DeviceOrder
 from onika.wire.world_source import WorldSource
 from onika.workcell.cell.file_world import FileWorld
@@ -47,17 +47,43 @@ EOF
 """
 
 
+_JAWS = """            <geom type="box" size="0.01 0.002 0.03" pos="0 -0.024 -0.07"/>
+            <body name="jaw" pos="0 -0.018 -0.02">
+              <joint name="jaw" axis="1 0 0" range="0 1.9" armature="0.001" damping="0.05"/>
+              <geom type="box" size="0.01 0.002 0.04" pos="0 0 -0.04" mass="0.02"/>
+            </body>
+"""
+
+
 def grasping_files(turn: float = 0.0) -> WorldSource:
     """The files; the first cube is turned by so many degrees."""
     texts = {"world/cell.world": _WORLD.format(turn=turn), "world/post.xml": _ROUND, "world/plate.xml": _WIDE}
     return files_of({**CELL, **texts})
 
 
+def one_jaw(motor: str = '<position name="squeeze" joint="jaw" kp="10" ctrlrange="0 1.9" forcerange="-1 1"/>') -> str:
+    """The model of the arm with a jaw that turns and one that does not move, which are parallel when closed."""
+    first, last = (
+        ARM.index('            <body name="finger1"'),
+        ARM.index("          </body>\n        </body>\n      </body>"),
+    )
+    servo = ARM[ARM.index('    <position name="squeeze"') : ARM.index("  </actuator>")]
+    text = ARM[:first] + _JAWS + ARM[last:].replace(servo, f"    {motor}\n")
+    return text.replace('  <equality><joint joint1="finger1" joint2="finger2" polycoef="0 1 0 0 0"/></equality>\n', "")
+
+
+def files_with(robot: str, model: str) -> WorldSource:
+    """The same world with an arm of this description and model, and firm friction."""
+    world = {"world/cell.world": _WORLD.format(turn=0.0).replace("FLOOR", "CONTACT elliptic 10\nFLOOR", 1)}
+    things = {"world/post.xml": _ROUND, "world/plate.xml": _WIDE}
+    return files_of({**CELL, **world, **things, "robot/elbow.robot": robot, "robot/elbow.xml": model})
+
+
 class Cell:
     """The world, with its arm and gripper claimed, moved by hand; without forces unless said otherwise."""
 
-    def __init__(self, turn: float = 0.0, *, has_forces: bool = False) -> None:
-        self.world = FileWorld(grasping_files(turn))
+    def __init__(self, turn: float = 0.0, *, has_forces: bool = False, files: WorldSource | None = None) -> None:
+        self.world = FileWorld(files or grasping_files(turn))
         self.has_forces = has_forces
         self.arm = "elbow_left" if has_forces else "elbow_left_kin"
         self.world.claim(self.arm, 1)

@@ -8,7 +8,7 @@ from pathlib import Path
 from onika.desk.plan.robot_draft import drafted
 from onika.desk.plan.robot_programs import PLACE, RobotPrograms
 from onika.files import whole, world as world_file
-from onika.model.world import ButtonBlock, PlaceBlock, WorldText
+from onika.model.world import CONES, ButtonBlock, PlaceBlock, WorldText
 from onika.store.robot_package import RobotPackage, package
 from onika.store.site import Site
 from onika.wire.robot_draft import RobotDraft
@@ -20,6 +20,7 @@ LONGEST = 64
 ENDINGS = (".xml", ".mjcf", ".urdf")
 
 _BLOCKS = ("BASE", "ARM", "AXES", "GRIPPER", "CAMERA")
+_USUAL, _FIRM = (CONES[0], 1.0), (CONES[1], 10.0)
 _TRIES = 3  # a description without the meshes that cannot be used, once more without those that then cannot
 
 Say = Callable[[Reason], str]
@@ -49,7 +50,7 @@ def create_robot(model: Path, base: Path, site: Site, name: str = "", say: Say =
     programs = RobotPrograms(name, draft)
     texts = {
         f"robot/{name}.robot": _commented(draft, say),
-        f"world/{name}.world": _world(name, draft.floor),
+        f"world/{name}.world": _world(name, draft),
         **dict(programs.texts()),
     }
     _refuse_present([*packed.contents, *texts], base, site)
@@ -109,10 +110,12 @@ def _lines(draft: RobotDraft) -> Iterator[tuple[str, Reason | None]]:
         yield line, comments.get((block, keyword))
 
 
-def _world(name: str, floor: float) -> str:
+def _world(name: str, draft: RobotDraft) -> str:
+    """A floor and the robot; where it has a gripper friction is firm, else what it holds would creep out of it."""
+    contact = _FIRM if draft.opening else _USUAL
     blocks = (PlaceBlock(PLACE, (name,)), ButtonBlock(f"panic_{PLACE}", (PLACE,)))
     description = Reason.of("desk.robot_world", name=name).text
-    return world_file.write(WorldText(name, description, floor=floor, blocks=blocks))
+    return world_file.write(WorldText(name, description, contact=contact, floor=draft.floor, blocks=blocks))
 
 
 def _refuse_present(paths: list[str], base: Path, site: Site) -> None:

@@ -29,6 +29,7 @@ from onika.workcell.drafting.draft_cameras import draft_cameras
 from onika.workcell.drafting.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
 from onika.workcell.drafting.draft_gripper import DraftHand, draft_hand
 from onika.workcell.drafting.draft_home import DraftHome, draft_home
+from onika.workcell.drafting.draft_jaw import between_jaws
 from onika.workcell.drafting.draft_motion import (
     LEAST_JOINTS,
     beside_home,
@@ -43,6 +44,7 @@ Guesses = tuple[DraftChain, DraftTool, DraftHand, DraftHome]
 
 _SPARE_M = 0.02  # so much below the lowest shape is the floor where it has to be lower than 0
 _TOUCH_M = 0.001
+_GENTLE_N = 20.0  # what jobs let a gripper press with, where it can: more pushes light things away
 _URDF = ".urdf"
 
 
@@ -73,7 +75,10 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
         return RobotDraft(refusal=Reason.of("workcell.draft_no_joints"))
     home = draft_home(model, chain, is_apart=file.endswith(_URDF))
     hand = draft_hand(model, chain, home.values)
-    tool = draft_tool(model, _data(model, chain, home.values), chain, hand.fingers)
+    at_home = _data(model, chain, home.values)
+    tool = draft_tool(model, at_home, chain, hand.fingers)
+    if hand.jaw is not None:
+        tool = between_jaws(model, at_home, tool, hand.jaw)
     devices = (*([base.device] if base else []), *_devices(model, chain, tool, hand, home, base))
     cameras = draft_cameras(model, [device.name for device in devices])
     robot = RobotText(name, file, name, devices=devices, cameras=cameras)
@@ -153,7 +158,7 @@ def _complete(
 
 
 def _opening(gripper: GripperFacts) -> tuple[float, ...]:
-    force = float(np.clip(0.5 * gripper.force, 0.1, 100.0))
+    force = float(np.clip(0.5 * gripper.force, 0.1, _GENTLE_N))
     return gripper.gripper.open[1], gripper.gripper.closed[1], round(force, 2)
 
 

@@ -12,6 +12,7 @@ from onika.laws.frames import Array
 from onika.model.robot import RobotAxes, RobotDevice, RobotGripper
 from onika.words.reason import Reason
 from onika.workcell.drafting.draft_chain import DraftChain, below
+from onika.workcell.drafting.draft_jaw import DraftJaw, draft_jaw
 
 _MOST = 2  # actuators that a gripper has; more are fingers of a hand
 _STEPS = 500
@@ -29,6 +30,8 @@ class DraftHand:
     device: RobotDevice | None
     fingers: tuple[int, ...]
     origin: Reason
+    jaw: DraftJaw | None = None
+    """Its only finger, where that closes on what does not move."""
 
 
 def draft_hand(model: Any, chain: DraftChain, home: Array) -> DraftHand:
@@ -40,9 +43,18 @@ def draft_hand(model: Any, chain: DraftChain, home: Array) -> DraftHand:
         return DraftHand(None, fingers, Reason.plain(""))
     if len(actuators) > _MOST:
         return DraftHand(_servos(model, actuators), fingers, Reason.of("workcell.draft_hand", count=len(actuators)))
-    ends = _signals(model, actuators[0])
-    widths = [_width(model, chain, home, actuators, signal, fingers) for signal in ends]
-    gripper, origin = _gripper(tuple(model.actuator(k).name for k in actuators), ends, widths)
+    names, ends = tuple(model.actuator(k).name for k in actuators), _signals(model, actuators[0])
+
+    def tried(signal: float) -> Any:
+        return _at_rest(model, chain, home, actuators, signal)
+
+    if len(fingers) == 1:
+        is_servo = bool(model.actuator_biasprm[actuators[0], 1])
+        jaw = draft_jaw(model, chain.last, fingers[0], ends, tried, is_servo=is_servo)
+        if jaw.open[1] - jaw.closed[1] >= _LEAST_M:
+            gripper = RobotGripper("gripper", names, jaw.open, jaw.closed)
+            return DraftHand(gripper, fingers, Reason.of("workcell.draft_width_jaw"), jaw)
+    gripper, origin = _gripper(names, ends, [_width(model, tried(signal), fingers) for signal in ends])
     return DraftHand(gripper, fingers, origin)
 
 
@@ -93,10 +105,8 @@ def _signals(model: Any, actuator: int) -> tuple[float, float]:
     return -_SIGNAL, _SIGNAL
 
 
-def _width(
-    model: Any, chain: DraftChain, home: Array, actuators: Sequence[int], signal: float, fingers: Sequence[int]
-) -> float | None:
-    """How far the fingers are apart once they have come to rest with a signal; None: they cannot be told apart."""
+def _at_rest(model: Any, chain: DraftChain, home: Array, actuators: Sequence[int], signal: float) -> Any:
+    """The data once the fingers have come to rest with a signal."""
     data = mujoco.MjData(model)
     at = [int(model.jnt_qposadr[joint]) for joint in chain.joints]
     dofs = [int(model.jnt_dofadr[joint]) for joint in chain.joints]
@@ -105,7 +115,15 @@ def _width(
     for _ in range(_STEPS):
         mujoco.mj_step(model, data)
         data.qpos[at], data.qvel[dofs] = home, 0.0  # the arm stands still meanwhile
+    limited = np.flatnonzero(model.jnt_limited)
+    stops = model.jnt_qposadr[limited]
+    data.qpos[stops] = np.clip(data.qpos[stops], *model.jnt_range[limited].T)  # strong motors press beyond them
     mujoco.mj_forward(model, data)
+    return data
+
+
+def _width(model: Any, data: Any, fingers: Sequence[int]) -> float | None:
+    """How far the fingers are apart; None: they cannot be told apart."""
     tips = [body for body in fingers if not any(other in fingers for other in below(model, body) if other != body)]
     shapes = [[k for k in range(model.ngeom) if int(model.geom_bodyid[k]) in below(model, body)] for body in tips]
     gaps = [_gap(model, data, first, other) for first, other in combinations(shapes, 2) if first and other]
