@@ -208,6 +208,13 @@ def test_a_runtime_does_not_outlive_its_guard(tmp_path):  # R-X12
             assert time.monotonic() < deadline, "the runtime outlived its guard"
 
 
+def test_a_guard_is_waited_for_while_it_begins_however_quickly_it_has_to_end(tmp_path, monkeypatch):  # R-X12, R-X25
+    monkeypatch.setattr(launcher, "_GUARD_S", 0.0)
+    with launch([], command(tmp_path, "import time\ntime.sleep(600)")) as child:
+        assert child.alive()
+        assert is_running(child.pid)
+
+
 def test_a_runtime_may_have_a_group_of_its_own(tmp_path):  # R-X12
     text = "import os\nprint(os.getpgid(0) == os.getpid(), flush=True)"
     with launch([], command(tmp_path, text), has_modules=True) as child:

@@ -30,6 +30,8 @@ _PR_SET_PDEATHSIG = 1
 _GUARD = str(Path(guard.__file__))
 _GUARD_S = 5.0
 """How long the guard may take to leave nothing of a runtime; it takes far less."""
+_START_S = 60.0
+"""And to begin: it is a Python of its own, and twenty may be begun at once on a machine with two processors."""
 
 UNDRAWN = {"MUJOCO_GL": "disable"}
 """A runtime draws nothing: else each of its processes, when it loads MuJoCo, would start another to look for a screen.
@@ -134,7 +136,7 @@ class RuntimeProcess:
         A guard that is ended or frozen so early says nothing: the runtime counts as killed, and the link says so.
         """
         try:
-            word, _, number = (self._words(_GUARD_S) or "").partition(" ")
+            word, _, number = (self._words(_START_S) or "").partition(" ")
         except BaseException:
             self._guard.kill()  # not wanted any more, and perhaps frozen
             raise
