@@ -50,6 +50,13 @@ def test_stuck_is_who_has_his_page_open_may_work_and_makes_no_step(pages, idle_s
     assert row(learner, pages=pages, idle_s=idle_s).is_stuck is is_stuck
 
 
+@pytest.mark.parametrize(("number", "holds", "is_stuck"), [(2, True, False), (2, False, True), (1, True, True)])
+def test_nobody_is_stuck_whose_newest_hand_in_holds_what_is_expected(number, holds, is_stuck):  # R-X25
+    grade = Grade(number, (GradedExpectation("LAMP == 1", holds=holds),))
+    learner = Learner("Ana", 2, "t", handed_in=2, grade=grade)
+    assert row(learner, pages=1, idle_s=STUCK_S + 1).is_stuck is is_stuck
+
+
 def test_of_a_seat_that_is_not_there_nobody_looks_at_a_page():
     assert row(state="silent", pages=3).pages == 0
 

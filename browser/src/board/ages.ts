@@ -8,3 +8,8 @@ export function age(seconds: number): string {
   if (minutes < 60) return t('class.minutes', { count: minutes })
   return t('class.hours', { count: Math.floor(minutes / 60), rest: minutes % 60 })
 }
+
+/** How long ago something was. */
+export function ago(seconds: number): string {
+  return seconds < 5 ? t('class.now') : t('class.ago', { age: age(seconds) })
+}

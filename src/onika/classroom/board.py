@@ -9,7 +9,7 @@ from onika.wire.class_board import ClassBoard, ExpectationRow, SeatRow
 from onika.words.reason import NOTHING
 
 STUCK_S = 120.0
-"""Without a step for so long while his page is open, a learner is said to be stuck."""
+"""Without a step for so long while his page is open, a learner is said to be stuck; not one who has done it all."""
 
 
 def board(room: ClassRoom, address: str) -> ClassBoard:
@@ -32,7 +32,7 @@ def _row(learner: Learner, seat: AttendedSeat) -> SeatRow:
         icons=at.icons,
         steps=at.steps,
         idle_s=at.idle_s,
-        is_stuck=is_there and at.pages > 0 and at.idle_s > STUCK_S and learner.state == "works",
+        is_stuck=is_there and at.pages > 0 and at.idle_s > STUCK_S and learner.state == "works" and not learner.is_done,
         run=at.run,
         done=at.done,
         of=at.of,

@@ -61,6 +61,14 @@ class Learner(Struct, frozen=True):
     may_return: bool = False
 
     @property
+    def is_done(self) -> bool:
+        """Whether all that is expected holds for what he has handed in last."""
+        if self.grade is None or self.grade.number != self.handed_in:
+            return False
+        held, of = self.grade.score
+        return held == of > 0
+
+    @property
     def view(self) -> ClassSeatView:
         """As his page is shown it."""
         score = None if self.grade is None else self.grade.score
