@@ -86,6 +86,12 @@ def test_a_world_is_drawn_and_touched_by_plain_values(segment):  # R-K06
     assert bus.poses() == (bus.world.now_ns, bus.world.poses().tobytes(), bus.world.lit)
 
 
+def test_what_is_a_switch_among_the_buttons_is_told_to_whoever_draws_it(segment, monkeypatch):  # R-X19
+    assert "switches" not in Bus("w", MassWorld(), segment).scene()
+    monkeypatch.setattr(MassWorld, "switches", ("door",), raising=False)
+    assert Bus("w", MassWorld(), segment).scene()["switches"] == ("door",)
+
+
 def test_devices_lie_one_behind_the_other_from_the_beginning(segment):  # law 16
     bus = Bus("w", MassWorld(), segment)
     grants = [bus.grant(name, number) for number, name in enumerate(("m0", "m1", "scale"), 1)]

@@ -18,8 +18,10 @@ export interface Shape {
 
 export interface World {
   shapes: Shape[]
-  /** Panic buttons, which have no shape. */
+  /** Panic buttons and switches that a hand touches, which have no shape. */
   buttons?: Buttons
+  /** Which of them are switches. */
+  switches?: readonly string[]
 }
 
 /** Where buttons stand, x y z in m, by name. */
@@ -37,13 +39,15 @@ export const ROW = 7
 interface Answer {
   shapes?: unknown
   buttons?: Buttons
+  switches?: readonly string[]
 }
 
 /** The shapes in an answer to `Scene`; undefined where there are none. */
 export function worldOf(answer: unknown): World | undefined {
   const given = answer as (Answer & { scene?: Answer }) | null | undefined
   const shapes = given?.shapes ?? given?.scene?.shapes
-  return Array.isArray(shapes) ? { shapes: shapes as Shape[], buttons: given?.buttons } : undefined
+  if (!Array.isArray(shapes)) return undefined
+  return { shapes: shapes as Shape[], buttons: given?.buttons, switches: given?.switches }
 }
 
 /** A row for each body: given as rows, as one list of numbers, or as the bytes of float32 numbers in base64. */

@@ -84,7 +84,7 @@ export class WorldScene {
     this.groups = Array.from({ length: this.bodies }, () => new Group())
     this.ghosts = new Ghosts(this.scene, this.groups)
     this.arrow.visible = false
-    this.knobs = new Knobs(world.buttons ?? {})
+    this.knobs = new Knobs(world.buttons ?? {}, world.switches)
     this.scene.add(...this.groups, this.knobs.group, this.arrow, this.handle.ring)
     for (const shape of world.shapes) this.build(shape)
     this.lights = this.light()

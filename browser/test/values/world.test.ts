@@ -22,6 +22,8 @@ it('an answer without shapes is no world', () => {
   const shape = { body: 3 } as Shape
   expect(worldOf({ shapes: [shape] })?.shapes).toHaveLength(1)
   expect(bodiesOf(worldOf({ scene: { shapes: [shape] } })!)).toBe(4)
+  const buttons = { start: [0, 0, 0] as [number, number, number] }
+  expect(worldOf({ shapes: [shape], buttons, switches: ['start'] })).toMatchObject({ buttons, switches: ['start'] })
   expect(worldOf(undefined)).toBeUndefined()
   expect(worldOf({})).toBeUndefined()
 })

@@ -1,5 +1,5 @@
 // R-K06: a panic button in the picture, and what a click on it finds.
-import { BoxGeometry, Mesh, MeshBasicMaterial, PerspectiveCamera } from 'three'
+import { BoxGeometry, Mesh, MeshBasicMaterial, PerspectiveCamera, type MeshLambertMaterial } from 'three'
 import { beforeEach, expect, test } from 'vitest'
 import { Knobs } from '../../src/world3d/knobs'
 import { hitUnder } from '../../src/world3d/picking'
@@ -39,4 +39,18 @@ test('what is pressed is down, and comes up again', () => {
   expect(heights()[1]).toBe(bell)
   knobs.press([])
   expect(heights()).toEqual([panic, bell])
+})
+
+// R-X19: what only is touched looks like no panic button.
+test('a switch is a box of another colour, which changes while it is touched', () => {
+  const mixed = new Knobs({ panic: [0, 0, 0], start: [1, 0, 0] }, ['start'])
+  const [panic, start] = mixed.group.children.filter(({ userData }) => 'free' in userData) as Mesh[]
+  const color = (mesh: Mesh): string => (mesh.material as MeshLambertMaterial).color.getHexString()
+  expect([start!.geometry.type, panic!.geometry.type]).toEqual(['BoxGeometry', 'CylinderGeometry'])
+  const [red, blue] = [color(panic!), color(start!)]
+  expect(red).not.toBe(blue)
+  mixed.press(['start'])
+  expect([color(panic!), color(start!) === blue]).toEqual([red, false])
+  mixed.press([])
+  expect(color(start!)).toBe(blue)
 })

@@ -203,6 +203,8 @@ class Bus:
         button_places = getattr(self.world, "button_places", None)
         if button_places is not None:
             scene["buttons"] = {name: list(place) for name, place in button_places().items()}
+        if switches := tuple(getattr(self.world, "switches", ())):
+            scene["switches"] = switches
         if pressed := tuple(getattr(self.world, "pressed", ())):
             scene["pressed"] = pressed
         cameras = self._pictures.cameras

@@ -33,3 +33,21 @@ def test_switches_that_a_hand_touches_stand_at_the_left_hand_of_the_first_robot(
     world = CELL["world/cell.world"].replace("BUTTON", "SWITCH door\nTOUCHED\n\nSWITCH start\nTOUCHED\n\nBUTTON", 1)
     assert {name: place[1] for name, place in places_of(world).items()} == {
         "panic": pytest.approx(-0.3), "door": pytest.approx(0.3), "start": pytest.approx(0.42)}  # fmt: skip
+
+
+def test_a_button_stands_beside_what_would_be_around_it():  # R-K06, R-X19
+    wide = CELL["robot/elbow.xml"].replace('size="0.08 0.2"', 'size="0.5 0.2"', 1)
+    panic = FileWorld(files_of({**CELL, "robot/elbow.xml": wide})).button_places()["panic"]
+    assert panic == pytest.approx((0.0, -0.55, 0.0))
+
+
+def test_a_switch_of_a_world_without_robots_stands_on_its_floor():  # R-X19
+    world = "VERSION 2.0\nFLOOR -0.1\nPART cube\nFILE cube.xml\nAT 0 0 0 0\nSWITCH start\nTOUCHED\nEOF\n"
+    assert places_of(world) == {"start": pytest.approx((0.0, 0.3, -0.1))}
+
+
+def test_which_buttons_are_switches_is_told():  # R-X19
+    text = CELL["world/cell.world"].replace("BUTTON", "SWITCH door\nTOUCHED\n\nBUTTON", 1)
+    world = FileWorld(files_of({**CELL, "world/cell.world": text}))
+    assert world.switches == ("door",)
+    assert FileWorld(files_of()).switches == ()

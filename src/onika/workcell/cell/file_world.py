@@ -143,8 +143,13 @@ class FileWorld(DrivenWorld):
 
     def button_places(self) -> Mapping[str, Place]:
         """Where its panic buttons and touched switches stand, x, y, z (m)."""
-        places = button_places(self._composition.world, self._plant.data)
+        places = button_places(self._composition.world, self._plant.model, self._plant.data)
         return {name: place for name, place in places.items() if name in self._buttons}
+
+    @property
+    def switches(self) -> tuple[str, ...]:
+        """What a hand touches that stops nothing."""
+        return tuple(switch.name for switch in self._composition.world.switches if switch.is_touched)
 
     @property
     def lit(self) -> tuple[str, ...]:
