@@ -3,7 +3,7 @@ import pytest
 from kit.desk.site_runtimes import QuietRuntime, descriptors
 from onika.agent import attended_runtime as room
 from onika.agent.attended_runtime import AttendedRuntime
-from onika.agent.use import FIRST_NS
+from onika.agent.use import FIRST_NS, LAST_NS
 from onika.link.lost import LossCause
 from onika.wire import live, request
 from onika.words.reason import Reason
@@ -73,3 +73,27 @@ def test_it_goes_on_while_somebody_is_there_or_an_application_runs(quiet, attend
     quiet.come("ann#2")
     runtime.join(0.2)
     assert runtime.news.lives and [session.name for session in runtime.news.sessions] in ([], ["ann#2"])
+
+
+def test_it_waits_for_whoever_was_told_of_it_as_after_the_last_one(quiet, attended):  # R-A15
+    now = [0]
+    quiet.come("ann#2")
+    runtime = attended(clock=lambda: now[0])
+    quiet.looked_at()
+    quiet.come()
+    quiet.looked_at()
+    now[0] = LAST_NS - 1
+    assert runtime.expect_guest()
+    now[0] = 2 * LAST_NS - 2
+    quiet.looked_at()
+    assert runtime.news.lives
+    now[0] = 2 * LAST_NS - 1
+    runtime.join(PATIENCE_S)
+    assert runtime.news.state == "over" and not runtime.expect_guest()
+
+
+def test_nobody_is_told_of_one_that_is_about_to_end(quiet, attended):  # R-A15
+    runtime = attended()
+    assert runtime.ready(PATIENCE_S).lives and runtime.expect_guest()
+    runtime.end(Reason.plain("enough"))
+    assert not runtime.expect_guest()

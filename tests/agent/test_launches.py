@@ -68,6 +68,15 @@ def test_what_is_listed_is_launched_once_and_joined_by_who_comes_next(site):  # 
     assert site.stays == [True] and site.card().state == "running"
 
 
+def test_who_comes_while_it_ends_gets_a_new_one(site):  # R-A15
+    site.launch()
+    ending = site.launches._runtimes["arm"]
+    ending.end(Reason.plain("nobody is there"))
+    again = site.launch(BOB)
+    assert again.is_new and site.stays == [False, False]
+    assert ending.news.state == "over" and site.card().state == "running"
+
+
 def test_who_joins_may_have_it_stay(site):  # R-A15
     assert not site.launch().stays
     assert site.launch(BOB, stays=True).stays and site.card().stays

@@ -57,10 +57,12 @@ class There:
         return connect(self.url, self.token)
 
     def console(self, script):
+        return self.program("console", self.url, "--script", script, "--no-console")
+
+    def program(self, *words):
         onika = Path(sys.executable).with_name("onika")
-        words = [onika, "console", self.url, "--script", script, "--no-console"]
         started = subprocess.Popen(
-            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment
+            [onika, *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment
         )
         self.consoles.append(started)
         return started
@@ -124,6 +126,20 @@ def test_what_a_frozen_holder_drives_holds_and_he_commands_nothing_when_he_thaws
     assert refused and refused[0]["address"] == "127.0.0.1"
     assert any("silent for" in record.get("result", "") for record in there.records("held"))
     assert there.token not in there.audit.read_text()
+
+
+def test_whoever_runs_an_application_and_was_frozen_hears_when_he_thaws_that_it_has_ended(there):  # R-X12, R-E14
+    with there.connect() as watcher:
+        watcher.ask(live.Attend(("*",)))
+        run = there.program("run", "go_home", "--runtime", there.url)
+        wait_for(watcher, event.Drive, lambda drive: drive.state == "DRIVEN")
+        beaten(watcher)
+        run.send_signal(signal.SIGSTOP)
+        assert not wait_for(watcher, event.Result).completed
+        run.send_signal(signal.SIGCONT)
+        output = rest(run, watcher)
+        assert run.wait(30) == 1, output
+        assert re.search(r"go_home: aborted, 0 of 1 actions.*\n.*has been silent for", output), output
 
 
 def test_of_two_real_sessions_one_writes_and_hands_it_to_the_other(there):  # R-X12

@@ -55,6 +55,7 @@ class AttendedRuntime:
         self._news = RuntimeNews()
         self._changed = threading.Condition()
         self._ending = NOTHING
+        self._use = RuntimeUse(clock())
         self._awake, self._waker = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
         self._thread = threading.Thread(target=self._live, name="onika site runtime", daemon=True)
 
@@ -72,6 +73,14 @@ class AttendedRuntime:
         with self._changed:
             self._changed.wait_for(lambda: self._news.state != "starting", within_s)
         return self._news
+
+    def expect_guest(self) -> bool:
+        """Whether whoever is told of it now will find it: it waits for him as after the last one who was there."""
+        with self._changed:
+            if self._ending or not self._news.lives:
+                return False
+            self._use.look(self._clock(), is_used=True)
+        return True
 
     def end(self, reason: Reason) -> None:
         """Let it end: drives hold, tasks are turned off."""
@@ -101,7 +110,7 @@ class AttendedRuntime:
             os.close(self._waker)
 
     def _attend(self, runtime: RuntimeConversation) -> None:
-        use = RuntimeUse(self._clock())
+        self._use.since_ns = self._clock()
         while not self._ending:
             self._look(runtime)
             news = self._news
@@ -109,9 +118,9 @@ class AttendedRuntime:
             is_used = bool(news.sessions) or (
                 standing is not None and any(subsystem.application for subsystem in standing.subsystems)
             )
-            if use.look(self._clock(), is_used=is_used) and not self.stays:
-                self._ending = Reason.of("site.nobody_there")
-                return
+            with self._changed:
+                if self._use.look(self._clock(), is_used=is_used) and not self.stays:
+                    self._ending = Reason.of("site.nobody_there")
             self._wait(runtime)
 
     def _look(self, runtime: RuntimeConversation) -> None:

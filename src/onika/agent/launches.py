@@ -84,8 +84,10 @@ class SiteLaunches:
             if self._is_over:
                 raise SiteRefusal(Reason.of("site.ends", site=self._site), 503)
             runtime = self._runtimes.get(name)
-            is_new = runtime is None or not runtime.news.lives
+            is_new = runtime is None or not runtime.expect_guest()
             if runtime is None or is_new:
+                if runtime is not None:
+                    runtime.join(_END_S)  # it may be ending, and has a port and a robot till then
                 runtime = self._runtimes[name] = self._begins(launch, launch.stays or stays)
                 runtime.start()
             elif stays:

@@ -2,6 +2,7 @@ from kit.plans.plan_builder import action
 from kit.runtime.live_edits import LiveEdits
 from kit.worlds.rail_world import rail_tasks
 from onika.wire import event, request
+from onika.words.reason import Reason
 
 
 def performed(*goals, session="me", **begin):
@@ -26,6 +27,22 @@ def test_its_events_are_for_who_began_it_and_for_listeners_of_its_subsystem():  
     hand.asker.to_the_end()
     ours = [message for message in hand.asker.server.deliveries if not isinstance(message[2], event.Drive)]
     assert {(where, who) for where, who, _ in ours if not where.startswith("@")} == {("flow0", "one")}
+
+
+def test_who_has_lost_it_by_being_silent_hears_how_it_ends():  # R-X12
+    hand, run = performed("1.0", session="one")
+    run.abandon(Reason.of("host.holder_silent", session="one", seconds=0.25), 0)
+    assert run.session == ""
+    hand.asker.to_the_end()
+    (result,) = [one for one in hand.asker.server.deliveries if isinstance(one[2], event.Result)]
+    assert result[1] == "one" and "has been silent" in str(result[2].cause)
+
+
+def test_who_takes_it_over_hears_it_from_then_on():  # R-X12
+    hand, run = performed("1.0", session="one")
+    run.pass_on("two")
+    hand.asker.to_the_end()
+    assert {who for _, who, told in hand.asker.server.deliveries if isinstance(told, event.Result)} == {"two"}
 
 
 def test_its_result_is_told_once_and_last():  # R-E14

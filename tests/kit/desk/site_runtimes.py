@@ -1,6 +1,7 @@
 """Runtimes of a site that are none: what they answer is said by a test."""
 
 import contextlib
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ class QuietRuntime:
         self.lost: LinkLost | None = None
         self.answers: dict[type, request.Response] = {}
         self.is_open = False
+        self._looks = 0
+        self._looked = threading.Condition()
 
     @contextlib.contextmanager
     def opened(self) -> Iterator[Any]:
@@ -29,7 +32,17 @@ class QuietRuntime:
         yield self
         self.is_open = False
 
+    def looked_at(self, times: int = 2, within_s: float = 10.0) -> None:
+        """Wait until the site has looked at it so often from now on: after two it goes by what is so now."""
+        with self._looked:
+            until = self._looks + times
+            assert self._looked.wait_for(lambda: self._looks >= until, within_s)
+
     def ask(self, message: request.Request) -> request.Response:
+        if isinstance(message, live.Survey):
+            with self._looked:
+                self._looks += 1
+                self._looked.notify_all()
         if type(message) in self.answers:
             return self.answers[type(message)]
         match message:

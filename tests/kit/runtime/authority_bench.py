@@ -38,7 +38,12 @@ class RunFake:
 
     def abandon(self, cause: Reason, now: int) -> None:
         """Its holder is silent or gone."""
+        self.session = ""
         self.abandoned.append((cause, now))
+
+    def pass_on(self, session: str) -> None:
+        """Another one holds it."""
+        self.session = session
 
 
 class SubsystemsFake:

@@ -40,6 +40,9 @@ class ApplicationRun:
         rendezvous: RunRendezvous | None = None,
     ) -> None:
         self.session = session
+        """Who holds it; empty: nobody any more."""
+        self._told = session
+        """Who is told of it in any case: who holds it, or held it last and may be heard again."""
         self.on_loss = begin.on_loss
         self.is_ended_at_wish = False
         """Whether whoever may end it has said so."""
@@ -73,8 +76,13 @@ class ApplicationRun:
         """Take in one piece of news of its tasks."""
         self.runner.hear(rtpu, message, now)
 
+    def pass_on(self, session: str) -> None:
+        """From now on this session holds it."""
+        self.session = self._told = session
+
     def abandon(self, cause: Reason, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
+        self.session = ""
         for message in after_departure(self.on_loss, self.names, cause):
             if isinstance(message, Abort):
                 self.runner.abort(message.cause, now)
@@ -112,7 +120,7 @@ class ApplicationRun:
         flow = getattr(message, "flow", 0)
         if isinstance(message, _OF_RUN):
             message = structs.replace(message, run=self.names[0])
-        self._tell_all(message, getattr(message, "subsystem", "") or self.names[flow], self.session)
+        self._tell_all(message, getattr(message, "subsystem", "") or self.names[flow], self._told)
 
 
 def variable_units(prepared: Preparation) -> dict[str, dict[str, str]]:

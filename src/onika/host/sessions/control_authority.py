@@ -187,7 +187,6 @@ class ControlAuthority:
 
     def _abandon(self, run: ApplicationRun, cause: Reason, session: str, now: int) -> None:
         """A run is nobody's: it goes as it was begun to go, and others may take it."""
-        run.session = ""
         run.abandon(cause, now)
         for name in run.names:
             self._tell(event.Held(name, "", cause), name, session)
@@ -223,7 +222,7 @@ class ControlAuthority:
             self._give(name, session, cause)
             return NOTHING
         self._subsystems.hold.release(run.session)
-        run.session = session
+        run.pass_on(session)
         for subsystem in run.names:
             self._offers.end(subsystem, Reason.of("host.offer_passed_on"))
             self._tell(event.Held(subsystem, session, cause), subsystem, session)
