@@ -340,4 +340,5 @@ def test_who_looks_is_shown_the_pictures_of_a_camera_and_nothing_else(segment): 
 
 def test_a_scene_names_cameras_where_there_are_any(segment):  # R-F08
     eyed, plain = Bus("w", EyedWorld(), segment).scene(), Bus("w", MassWorld(), segment).scene()
+    assert "cameras" not in plain
     assert eyed == plain | {"cameras": [{"name": "eye", "width": 3, "height": 2, "rate": 10.0}]}

@@ -26,6 +26,8 @@ class RobotDraft(Struct, frozen=True):
     """A pose as a Cartesian target has it, in a straight line from `away`; empty: there is none, or few joints."""
     opening: tuple[float, ...] = ()
     """The widths of a gripper, open and closed (m), and a force (N); empty: there is none."""
+    pictures: tuple[tuple[str, ...], ...] = ()
+    """The rows of pictures of home and of what is beside it; empty: there is nothing to see."""
     ahead: tuple[float, ...] = ()
     """A place before a base, x y (m) and turn (rad); empty: the robot does not drive."""
     refusal: Reason = NOTHING

@@ -62,10 +62,14 @@ def looked_at(plant: Plant) -> list[Shape3d]:
 
     In models of others, shapes of groups 0 to 2 are seen, and those above only touch.
     """
-    model = plant.model
+    return _shapes(plant.model, looked_at_numbers(plant.model))
+
+
+def looked_at_numbers(model: Any) -> list[int]:
+    """The numbers of these shapes."""
     is_seen = np.ravel(model.geom_group) < _TOUCHING
     has_seen = {int(body) for body in model.geom_bodyid[is_seen]}
-    return _shapes(model, [k for k in range(model.ngeom) if is_seen[k] or int(model.geom_bodyid[k]) not in has_seen])
+    return [k for k in range(model.ngeom) if is_seen[k] or int(model.geom_bodyid[k]) not in has_seen]
 
 
 def _shapes(model: Any, numbers: Sequence[int]) -> list[Shape3d]:

@@ -4,6 +4,7 @@ from msgspec import structs
 
 from onika.desk.plan.robot_programs import RobotPrograms
 from onika.files import kept
+from onika.model.initials import drawn
 from onika.wire.robot_draft import RobotDraft
 
 DRAFT = RobotDraft(
@@ -47,3 +48,12 @@ def test_the_test_demands_that_the_joints_are_home_in_the_end():  # R-X19
     assert kept_run.flows[0].robots == (("crane", "crane:crane_stand"), ("crane_hand", "crane:gripper_stand"))
     assert [action.name.split()[0] for action in kept_run.flows[0].actions] == [
         "grip_craneC", "jmove_craneC", "cmove_craneC", "grip_craneC", "jmove_craneC"]  # fmt: skip
+
+
+def test_the_places_that_its_arm_goes_to_show_the_robot_and_other_icons_bear_letters():  # R-X19, R-B11
+    home, away = (drawn(letters) for letters in ("X", "Y"))
+    texts = dict(replace(ALL, draft=structs.replace(DRAFT, pictures=(home.rows, away.rows))).texts())
+    for name, picture in (("home", home), ("away", away)):
+        lines = texts[f"dict/crane_{name}.onk"].splitlines()
+        assert tuple(line.split()[1] for line in lines if line.startswith("PICT")) == picture.rows
+    assert texts["dict/jmove_craneC.onk"] == dict(ALL.texts())["dict/jmove_craneC.onk"]

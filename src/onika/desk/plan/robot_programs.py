@@ -11,6 +11,7 @@ from onika.model.configuration import Configuration, Placed
 from onika.model.initials import drawn
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
 from onika.model.onikon import Onikon
+from onika.model.picture import Picture
 from onika.model.task import LocalLine, Task
 from onika.wire.robot_draft import RobotDraft
 from onika.words.reason import Reason, in_language
@@ -165,7 +166,12 @@ class RobotPrograms:
         reason = self._reason(key)
         words = (("es", in_language(reason, "es")),)
         arm = self.name if kind == f"{_JOINT} object" else ""
-        return Onikon(name, kind, reason.text, values, drawn(name), words=words, arm=arm)
+        return Onikon(name, kind, reason.text, values, self._picture(name), words=words, arm=arm)
+
+    def _picture(self, name: str) -> Picture:
+        """The robot itself where it is a place to go to, else letters."""
+        shown = dict(zip((f"{self.name}_home", f"{self.name}_away"), self.draft.pictures, strict=False))
+        return Picture(shown[name]) if name in shown else drawn(name)
 
     def _said(self, key: str) -> str:
         return self._reason(key).text

@@ -37,6 +37,7 @@ from onika.workcell.drafting.draft_motion import (
     seconds_between,
     straight_line,
 )
+from onika.workcell.drafting.draft_pictures import draft_pictures
 from onika.workcell.drafting.draft_units import doubtful_units
 
 Comment = tuple[str, str, Reason]
@@ -154,6 +155,7 @@ def _complete(
         seconds=seconds_between(arm, away),
         line=line,
         opening=_opening(gripper) if gripper else (),
+        pictures=draft_pictures(model, chain.joints, (arm.home, away)),
     )
 
 
