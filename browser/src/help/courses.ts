@@ -25,11 +25,17 @@ export type CourseId =
 /** What has no lessons of its own, but puzzles, which the environment judges. */
 export const isOfPuzzles = (course: CourseId): boolean => course === 'faults' || course === 'puzzles'
 
-/** A program that is shipped and works: it counts when that one was run to its end. */
-const example = (id: LessonId, name: string, more: (seen: Seen) => boolean): Lesson => ({
+/** A program that is shipped and works: it counts when that one, as it is, was run to its end. */
+const example = (id: LessonId, name: string, more: (seen: Seen) => boolean = () => true): Lesson => ({
   id,
   example: name,
-  isDone: (seen) => seen.view?.name === name && isCompleted(seen) && more(seen),
+  isDone: (seen) => seen.view?.name === name && !seen.view.is_dirty && isCompleted(seen) && more(seen),
+})
+
+/** Something that is done with a program of one's own: none that is shipped counts. */
+const own = (id: LessonId, isDone: (seen: Seen) => boolean): Lesson => ({
+  id,
+  isDone: (seen) => isMine(seen) && isDone(seen),
 })
 
 /** The program that is broken to see what becomes of it. */
@@ -39,63 +45,48 @@ export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
   first: LESSONS,
   loops: [
     example('loopSee', 'wave_three', (seen) => cameRound(seen, 3)),
-    { id: 'twoActions', isDone: (seen) => isMine(seen, 'wave_three') && jobs(seen) > 1 && !seen.view?.holes },
-    { id: 'loop', isDone: (seen) => isMine(seen, 'wave_three') && all(seen).some((step) => step.loop) },
-    { id: 'loopRun', isDone: (seen) => isCompleted(seen) && cameRound(seen, 2) },
-    {
-      id: 'loopWithin',
-      isDone: (seen) =>
-        isCompleted(seen) && innerLoops(seen).some((loop) => loop.some((number) => timesOf(seen, number) > 3)),
-    },
+    own('twoActions', (seen) => jobs(seen) > 1 && !seen.view?.holes),
+    own('loop', (seen) => all(seen).some((step) => step.loop)),
+    own('loopRun', (seen) => isCompleted(seen) && cameRound(seen, 2)),
+    own(
+      'loopWithin',
+      (seen) => isCompleted(seen) && innerLoops(seen).some((loop) => loop.some((number) => timesOf(seen, number) > 3)),
+    ),
   ],
   branches: [
     example('branchSee', 'see_the_lamp', (seen) => branches(seen).some(({ flows }) => wayTaken(seen, flows) >= 0)),
-    { id: 'branch', isDone: (seen) => isMine(seen, 'see_the_lamp') && branches(seen).length > 0 },
-    { id: 'branchFlows', isDone: (seen) => choosing(seen).length > 0 },
-    {
-      id: 'branchRun',
-      isDone: (seen) => isCompleted(seen) && choosing(seen).some((flows) => wayTaken(seen, flows) >= 0),
-    },
-    {
-      id: 'branchMiddle',
-      isDone: (seen) =>
+    own('branch', (seen) => branches(seen).length > 0),
+    own('branchFlows', (seen) => choosing(seen).length > 0),
+    own('branchRun', (seen) => isCompleted(seen) && choosing(seen).some((flows) => wayTaken(seen, flows) >= 0)),
+    own(
+      'branchMiddle',
+      (seen) =>
         isCompleted(seen) &&
         choosing(seen).some((flows) => wayTaken(seen, flows) > 0 && wayTaken(seen, flows) < flows.length - 1),
-    },
+    ),
   ],
   meetings: [
     example('meetSee', 'both_wave', (seen) => met(seen).length > 0),
-    {
-      id: 'twoFlows',
-      isDone: (seen) => isMine(seen, 'both_wave') && seen.view?.is_parallel === true && topFlowsOf(seen).length > 1,
-    },
-    { id: 'tags', isDone: (seen) => isMine(seen, 'both_wave') && sharedTags(seen).length > 0 },
-    { id: 'meet', isDone: (seen) => isCompleted(seen) && met(seen).length > 0 },
-    { id: 'meetTwice', isDone: (seen) => isCompleted(seen) && met(seen).length > 1 },
+    own('twoFlows', (seen) => seen.view?.is_parallel === true && topFlowsOf(seen).length > 1),
+    own('tags', (seen) => sharedTags(seen).length > 0),
+    own('meet', (seen) => isCompleted(seen) && met(seen).length > 0),
+    own('meetTwice', (seen) => isCompleted(seen) && met(seen).length > 1),
   ],
   arms: [
-    example('armsSee', 'two_arms', (seen) => haveMoved(seen)),
-    { id: 'armsFlows', isDone: (seen) => isMine(seen, 'two_arms') && twoArms(seen) !== undefined && !seen.view?.holes },
-    { id: 'armsRun', isDone: (seen) => isMine(seen, 'two_arms') && isCompleted(seen) && haveMoved(seen) },
-    { id: 'armsWait', isDone: (seen) => isCompleted(seen) && haveMoved(seen) && hasWaited(seen) },
+    example('armsSee', 'two_arms', haveMoved),
+    own('armsFlows', (seen) => twoArms(seen) !== undefined && !seen.view?.holes),
+    own('armsRun', (seen) => isCompleted(seen) && haveMoved(seen)),
+    own('armsWait', (seen) => isCompleted(seen) && haveMoved(seen) && hasWaited(seen)),
   ],
   nesting: [
     example('nestSee', 'visit_boxes', (seen) => nested(seen).some((number) => timesOf(seen, number) > 0)),
     { id: 'nestInside', isDone: (seen) => seen.isUpper && seen.view?.name === 'visit' },
-    { id: 'nestUse', isDone: (seen) => isMine(seen, 'visit_boxes') && nested(seen).length > 0 && !seen.view?.holes },
-    {
-      id: 'nestRun',
-      isDone: (seen) =>
-        isMine(seen, 'visit_boxes') && isCompleted(seen) && nested(seen).some((number) => timesOf(seen, number) > 0),
-    },
-    {
-      id: 'nestOwn',
-      isDone: (seen) =>
-        isCompleted(seen) && nested(seen).some((number) => isOwn(seen, number) && timesOf(seen, number) > 0),
-    },
+    own('nestUse', (seen) => nested(seen).length > 0 && !seen.view?.holes),
+    own('nestRun', (seen) => isCompleted(seen) && nested(seen).some((number) => timesOf(seen, number) > 0)),
+    own('nestOwn', (seen) => isCompleted(seen) && nested(seen).some((n) => isOwn(seen, n) && timesOf(seen, n) > 0)),
   ],
   seeking: [
-    example('seekSee', GRASP, (seen) => !seen.view?.is_dirty),
+    example('seekSee', GRASP),
     { id: 'seekRefused', isDone: (seen) => isGrasp(seen) && !!seen.view?.holes },
     { id: 'seekMended', goesWith: 'seekRefused', isDone: (seen) => isGrasp(seen) && !seen.view?.holes },
     { id: 'seekStops', isDone: (seen) => isGrasp(seen) && !!seen.view?.is_dirty && hasStopped(seen) },
@@ -107,10 +98,9 @@ export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
 
 export const COURSE_IDS = Object.keys(COURSES) as CourseId[]
 
-/** Whether it is another program than the one that was to be looked at. */
-function isMine(seen: Seen, shipped: string): boolean {
-  return seen.isUpper && seen.view !== undefined && seen.view.name !== shipped
-}
+/** Whether it is a program that somebody here has made. */
+const isMine = ({ isUpper, view, dictionaries }: Seen): boolean =>
+  isUpper && view !== undefined && dictionaries[view.base ?? '']?.is_shipped !== true
 
 const isGrasp = (seen: Seen): boolean => seen.isUpper && seen.view?.name === GRASP
 
@@ -118,4 +108,6 @@ const isGrasp = (seen: Seen): boolean => seen.isUpper && seen.view?.name === GRA
 const hasStopped = (seen: Seen): boolean => isOfThis(seen) && Object.keys(seen.run?.stops ?? {}).length > 0
 
 /** Whether two arms, each in a flow of its own, have done something. */
-const haveMoved = (seen: Seen): boolean => twoArms(seen)?.every((flow) => wasDone(seen, flow)) === true
+function haveMoved(seen: Seen): boolean {
+  return twoArms(seen)?.every((flow) => wasDone(seen, flow)) === true
+}

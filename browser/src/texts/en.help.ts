@@ -102,6 +102,8 @@ export const enHelp = {
   'tutorial.course.nesting': 'Programs in programs',
   'tutorial.courseOver': 'That was this course. Another one stands above.',
   'tutorial.open': 'Open “{name}”',
+  'tutorial.changed':
+    '“{name}” was changed here, so it does not count. Take that back (`Ctrl Z`), or close it without saving and open it anew.',
   'tutorial.loopSee': 'See a loop that works',
   'tutorial.loopSeeHow': 'Open it and press Run. Read the sentences below: where does it go back to, and what decides?',
   'tutorial.twoActions': 'Make a program of two actions',

@@ -106,6 +106,8 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.course.nesting': 'Programas en programas',
   'tutorial.courseOver': 'Este curso ha terminado. Arriba hay otro.',
   'tutorial.open': 'Abrir «{name}»',
+  'tutorial.changed':
+    '«{name}» se ha cambiado aquí, así que no cuenta. Deshágalo (`Ctrl Z`), o ciérrelo sin guardar y ábralo de nuevo.',
   'tutorial.loopSee': 'Vea un bucle que funciona',
   'tutorial.loopSeeHow': 'Ábralo y pulse Ejecutar. Lea las frases de abajo: ¿adónde vuelve, y qué lo decide?',
   'tutorial.twoActions': 'Haga un programa de dos acciones',

@@ -73,7 +73,7 @@ const isDone = (id: LessonId, view: ApplicationView, run: RunView | null = null)
     .find((lesson) => lesson.id === id)!
     .isDone(seen(view, run))
 const named = (name: string, flows: Record<string, StepView[]>, more: Partial<ApplicationView> = {}): ApplicationView =>
-  view(flows, { name, ...more })
+  view(flows, { name, base: '/shipped', ...more })
 const incomplete = { is_completed: false }
 const stopped: Partial<RunView> = {
   is_completed: false,
@@ -330,6 +330,22 @@ test.each(LESSON_IDS)('%s counts when it was done, and not when something like i
   const { is, isNot } = LOOKS[id]!
   expect(isDone(id, ...is)).toBe(true)
   expect(isNot.map((look) => isDone(id, ...look))).toEqual(isNot.map(() => false))
+})
+
+const OF_ONES_OWN = LESSON_IDS.filter((id) => !LOOKS[id]!.is[0].base)
+
+test.each(OF_ONES_OWN)('%s is not done by a program that is shipped, but by one that was saved', (id) => {
+  const [program, run] = LOOKS[id]!.is
+  expect(isDone(id, { ...program, name: 'both_wave', path: '/shipped/both_wave.appl', base: '/shipped' }, run)).toBe(
+    false,
+  )
+  expect(isDone(id, { ...program, path: '/own/mine.appl', base: '/own' }, run)).toBe(true)
+})
+
+test.each(WITH_LESSONS)('the program with which %s begins is not seen to work where it was changed', (course) => {
+  const { id } = COURSES[course][0]!
+  const [program, run] = LOOKS[id]!.is
+  expect(isDone(id, { ...program, is_dirty: true }, run)).toBe(false)
 })
 
 test.each(LESSON_IDS)('%s is not done where nothing is open', (id) => {
