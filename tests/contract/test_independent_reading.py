@@ -53,7 +53,7 @@ def test_what_we_write_says_the_same_to_the_other_reader(form: Format, data: st.
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_any_layout_says_the_same_to_both(form: Format, data: st.DataObject) -> None:
     model = data.draw(form.models)  # R-B01
     text = form.write(model)
@@ -66,7 +66,7 @@ def test_any_layout_says_the_same_to_both(form: Format, data: st.DataObject) -> 
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_file_cut_before_any_line_is_read_alike(form: Format, data: st.DataObject) -> None:
     lines = form.write(data.draw(form.models)).splitlines(keepends=True)  # R-B07
     for end in range(len(lines)):
@@ -76,7 +76,7 @@ def test_a_file_cut_before_any_line_is_read_alike(form: Format, data: st.DataObj
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_file_with_any_line_lost_or_doubled_is_read_alike(form: Format, data: st.DataObject) -> None:
     lines = form.write(data.draw(form.models)).splitlines(keepends=True)  # R-B07
     for at, line in enumerate(lines):
@@ -86,7 +86,7 @@ def test_a_file_with_any_line_lost_or_doubled_is_read_alike(form: Format, data: 
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_file_with_two_neighbours_exchanged_anywhere_is_read_alike(form: Format, data: st.DataObject) -> None:
     lines = [line for line in form.write(data.draw(form.models)).splitlines(keepends=True) if line.strip()]  # R-B07
     for at in range(len(lines) - 1):
@@ -95,7 +95,7 @@ def test_a_file_with_two_neighbours_exchanged_anywhere_is_read_alike(form: Forma
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_file_with_signs_changed_in_any_line_is_read_alike(form: Format, data: st.DataObject) -> None:
     lines = form.write(data.draw(form.models)).splitlines(keepends=True)  # R-B07
     for at, line in enumerate(lines):

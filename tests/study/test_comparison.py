@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.study import folder
 from onika.study.compared import compared
 from onika.study.comparison import compare, effect_of
@@ -227,7 +228,7 @@ def test_broken_assumptions_are_told():  # R-H03
 VALUES = st.lists(st.floats(-1e6, 1e6) | st.sampled_from((0.0, 1.0, math.nan)), max_size=6)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(st.dictionaries(st.text(max_size=3), VALUES, max_size=4))
 def test_whatever_the_values_are_nothing_crashes_and_probabilities_are_some(groups):  # R-H03
     with warnings.catch_warnings():

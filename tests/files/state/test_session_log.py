@@ -3,6 +3,7 @@ import random
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.files.state.session_log import COLUMNS, HEADER, line, read
 
 WORDS = ("insert_icon", "opengripC", "a1/2", "Start", "a1/0", "appl")
@@ -76,7 +77,7 @@ def test_what_is_no_line_is_left_out_and_named(text):  # R-H08
 
 
 @given(st.data())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_a_log_cut_anywhere_is_read_up_to_there(data):  # R-H08
     lines = [written(place) for place in range(4)]
     text = "\n".join(lines)
@@ -90,7 +91,7 @@ def test_a_log_cut_anywhere_is_read_up_to_there(data):  # R-H08
 
 
 @given(st.text(max_size=200))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_no_text_at_all_raises(text):  # R-H08
     lines, faults = read(text, "s.log")
     assert len(lines) + len(faults) <= 2 * (text.count("\n") + 1)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine, rotation_of_rpy
 from onika.model.lifecycle import State
@@ -174,7 +175,7 @@ def test_one_joint_is_led_and_says_how_fast_it_goes():  # R-K07
     assert np.diff(places[:, 2]) * 100 == pytest.approx(rates[:, 2])
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(st.lists(st.floats(-2, 2), min_size=1, max_size=8), st.sampled_from([50, 250]), st.integers(1, 6))
 def test_a_joint_is_never_led_beyond_its_limits_nor_stopped_more_sharply_than_it_may(pushes, hz, joint):  # R-K07
     bench = bench_of("jjog", hz, SPEED=1.0, RISE=0.3).on(str(joint))
@@ -289,7 +290,7 @@ def test_a_push_is_meant_along_the_axes_of_the_tool_where_the_person_says_so(): 
     assert pushed(pad_bench(), FORWARD, frame=2)[0] == pytest.approx([0.1, 0, 0, 0, 0, 0])
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.lists(st.floats() | st.sampled_from([0.0, 1.0, 2.0, NAN]), min_size=10, max_size=10))
 def test_whatever_is_pushed_no_speed_is_beyond_its_limit(numbers):  # R-K07, R-F05
     bench = pad_bench()

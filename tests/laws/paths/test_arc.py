@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.frames import pose_of_nine
 from onika.laws.paths.arc import Arc
 
@@ -29,7 +30,7 @@ def test_the_way_round_is_that_of_the_place_on_the_way():
     assert long.angle == pytest.approx(1.5 * np.pi)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(places, places, places)
 def test_every_place_of_an_arc_is_as_far_from_its_middle_and_it_meets_all_three(first, via, last):
     assume(np.linalg.norm(np.cross(via - first, last - first)) > 1e-3)

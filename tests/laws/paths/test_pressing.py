@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.paths.pressing import Pressing
 
 DT = 0.004
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.floats(10.0, 200.0), st.floats(2000.0, 20_000.0), st.floats(0.0, 0.02))
 def test_on_a_spring_it_comes_to_the_force_and_never_beyond_it(force, stiffness, away):  # R-B10
     pressing = Pressing([0.0, 0.0, -force], 0.02, 4e-4)

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.paths.taught_path import TaughtPath, path_of_text, path_text
 
 FAST = np.full(2, 1e6)
 rows = st.lists(st.tuples(st.floats(-3, 3), st.floats(-3, 3)), min_size=2, max_size=20).map(np.array)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(rows)
 def test_a_path_passes_every_row_at_its_time_and_begins_and_ends_at_rest(table):
     times = np.cumsum(np.linspace(0.1, 0.3, len(table)))

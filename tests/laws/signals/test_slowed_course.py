@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.signals.slowed_course import SlowedCourse
 
 DT = 0.01
@@ -47,7 +48,7 @@ def test_where_more_than_it_may_keep_is_behind_it_goes_as_fast_as_it_comes():
     assert course.behind <= 12
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(st.lists(st.tuples(st.floats(-1, 1), st.floats(0, 1)), min_size=1, max_size=60))
 def test_it_leaves_nothing_out_and_is_never_faster_than_what_comes(course_and_shares):  # R-K05
     course = SlowedCourse([0.0], 1000, ease=1e9)
