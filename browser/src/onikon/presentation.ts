@@ -12,3 +12,6 @@ export const presentation = (): Presentation => fixedPresentation() ?? look.pres
 
 /** Whether icons are rectangles with words: no pictures, and edges without colour and shape, as in the dissertation (§6.2.1). */
 export const isWordsOnly = (): boolean => presentation() === 'words'
+
+/** The picture of an icon beside the row, by its key, as in a run; empty where there is none, or words alone are shown. */
+export const signOf = (key: string | undefined): string => (isWordsOnly() ? '' : (desk.tree.pictures[key ?? ''] ?? ''))
