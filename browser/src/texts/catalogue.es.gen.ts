@@ -3974,6 +3974,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.robot_left_out": "se omite el robot {name}",
   "workcell.robot_missing": "se esperaba un archivo robot/{name}.robot; no hay ninguno",
   "workcell.sensor_number": "se esperaba uno de los {count} números de {sensor}, desde 0; hay {found}",
+  "workcell.shape_dark": "allí nada luce con {name}",
   "workcell.short_silence": "ninguna orden en 50 ms",
   "workcell.slide_askew": "se esperaban correderas en x y en y y un giro alrededor de z, en este orden; en el lugar de {axis} está {joint}",
   "workcell.stands_at": "{who} está en x = {x:.1f} cm, y = {y:.1f} cm, z = {z:.1f} cm",

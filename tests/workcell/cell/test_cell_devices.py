@@ -38,5 +38,14 @@ def test_what_names_a_part_that_is_left_out_follows_from_that():  # R-B07, R-X19
     assert [sheet.name for sheet in world.devices()] == []
 
 
+def test_a_lamp_that_names_no_shape_is_told_of_and_is_a_lamp_all_the_same():  # R-X19
+    text = CELL["world/cell.world"].replace("SHINES cube.cube", "SHINES cube.cub table.board\nGLOWS left.foot air")
+    world = FileWorld(files_of({**CELL, "world/cell.world": text}))
+    at = next(number for number, line in enumerate(text.splitlines(), 1) if line.startswith("SHINES"))
+    told = [(fault.place.line, fault.reason.args["name"], fault.instead.key) for fault in world.faults]
+    assert told == [(at, "cube.cub", "workcell.shape_dark"), (at + 1, "air", "workcell.shape_dark")]
+    assert "lamp" in {sheet.name for sheet in world.devices()}
+
+
 def _at(fault):
     return f"{PurePath(fault.place.file).name}:{fault.place.line}"

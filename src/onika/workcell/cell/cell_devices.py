@@ -1,14 +1,19 @@
 """Which lamps and sensors of a world of files can be used; the others are told with their lines (requirement X19)."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from typing import Any
 
-from onika.model.world import WorldText
+from onika.model.world import LampBlock, WorldText
+from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 from onika.workcell.composed.composition import Composition
+from onika.workcell.composed.robot_model import robot_spec
 from onika.workcell.composed.sensor_unit import SensorUnit, lacking
 from onika.workcell.composed.switch_lamp import SwitchLamp, lacking_contact
+from onika.workcell.composed.usable_parts import part_spec, prefix_of
 from onika.workcell.panic_button import PanicButton
+
+_MOST_LISTED = 20
 
 
 def touched_switches(world: WorldText) -> dict[str, PanicButton]:
@@ -33,7 +38,34 @@ def usable_lamps(composition: Composition, model: Any, touched: Mapping[str, Pan
             reason, line = Reason.of("workcell.switch_left_out", name=gone[0]), lamp.lines.get("WHEN", 0)
             composition.leave_out(lamp.name, line, reason, composition.lost(*gone))
         else:
+            _tell_dark(composition, lamp)
             yield SwitchLamp(lamp, switches, touched)
+
+
+def _tell_dark(composition: Composition, lamp: LampBlock) -> None:
+    """Tell of names behind a lamp that are those of no shape, unless it is told why they are gone."""
+    for keyword, names in (("SHINES", lamp.shines), ("GLOWS", lamp.glows)):
+        there = _shape_names(composition) if names else set()
+        for name in names:
+            if name not in there and not composition.lost(name):
+                place = Place(composition.sources.place.file, lamp.lines.get(keyword, 0))
+                reason = Reason.of("workcell.no_such_name", there=_listed(there), name=name)
+                composition.faults.append(Fault(place, reason, Reason.of("workcell.shape_dark", name=lamp.name)))
+
+
+def _shape_names(composition: Composition) -> set[str]:
+    """The names of all shapes that a world may have, whichever robots stand at its places."""
+    sources = composition.sources
+    of_parts = [(prefix_of(part.name), part_spec(sources, part)) for part in composition.parts]
+    of_robots = [
+        (prefix_of(place.name), robot_spec(sources, composition.robot(place, name).robot))
+        for place in composition.places for name in composition.at(place)
+    ]  # fmt: skip
+    return {prefix + geom.name for prefix, spec in (*of_parts, *of_robots) for geom in spec.geoms if geom.name}
+
+
+def _listed(names: Set[str]) -> Reason | tuple[str, ...]:
+    return tuple(sorted(names))[:_MOST_LISTED] or Reason.of("workcell.none")
 
 
 def usable_sensors(composition: Composition, model: Any) -> Iterator[SensorUnit]:
