@@ -47,6 +47,8 @@ def test_options_reach_the_program(began, tmp_path):  # R-C20
         "a",
         "--rtpu",
         "b",
+        "--dictionary",
+        "boxes",
         "--base",
         str(tmp_path),
     ]
@@ -55,6 +57,12 @@ def test_options_reach_the_program(began, tmp_path):  # R-C20
     assert site.directories[0].path == tmp_path
     assert (options.is_connected, options.has_diary, options.rtpus) == (False, False, ("a", "b"))
     assert options.is_upper_only and options.presentation == "words"
+    assert [path.name for path in options.dictionaries] == ["boxes"]
+
+
+def test_a_dictionary_that_is_not_there_begins_nothing(began, capsys):  # R-D01
+    assert commands.carry_out(["page", "--dictionary", "fruit"]) == 2
+    assert "found fruit" in capsys.readouterr().err and began == []
 
 
 def test_only_one_way_to_a_runtime_may_be_named(began, capsys):

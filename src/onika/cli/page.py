@@ -13,7 +13,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
-from onika.cli.search_path import site_here
+from onika.cli.search_path import add_dictionaries, chosen_dictionaries, site_here
 from onika.desk.environment.reconcile.station_names import HERE
 from onika.desk.environment.state.settings import PRESENTATIONS
 from onika.files.state.state_directory import state_directory
@@ -69,6 +69,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--upper", action="store_true", help=say(Reason.of("cli.page_upper")))
+    add_dictionaries(parser)
     presented = say(Reason.of("cli.page_presentation"))
     parser.add_argument("--presentation", choices=PRESENTATIONS, default="", help=presented)
     parser.add_argument("--no-forecast", action="store_true", help=say(Reason.of("cli.page_no_forecast")))
@@ -86,6 +87,11 @@ def carry_out(given: argparse.Namespace) -> int:
         print(say(fault.sentence), file=sys.stderr)
     if faults:
         return 2
+    site = site_here(given.base)
+    dictionaries = chosen_dictionaries(site, given.dictionary)
+    if isinstance(dictionaries, Reason):
+        print(say(dictionaries), file=sys.stderr)
+        return 2
     listening = _listening(given, place)
     options = EnvironmentOptions(
         files=tuple(given.files),
@@ -99,10 +105,11 @@ def carry_out(given: argparse.Namespace) -> int:
         foresees=not given.no_forecast,
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
+        dictionaries=dictionaries,
         presentation=given.presentation,
     )
     state = state_directory(os.environ)
-    program = EnvironmentProgram(site_here(given.base), options, state)
+    program = EnvironmentProgram(site, options, state)
     shows = not given.no_browser and has_screen()
     answers: list[str] = []
 

@@ -4,6 +4,7 @@ import argparse
 import getpass
 import os
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,6 +42,24 @@ def _password(host: str, why: Reason) -> Credential | None:
     user = input(say(Reason.of("cli.library_user", host=host)))
     secret = getpass.getpass(say(Reason.of("cli.library_password" if user else "cli.library_token")))
     return Credential(secret, user) if secret else None
+
+
+def add_dictionaries(parser: argparse.ArgumentParser) -> None:
+    """The dictionaries with which a page begins."""
+    parser.add_argument(
+        "--dictionary", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.page_dictionary"))
+    )
+
+
+def chosen_dictionaries(site: Site, names: Sequence[str]) -> tuple[Path, ...] | Reason:
+    """The base directories of dictionaries that are named as these are; what is there instead of a name that is not."""
+    if not names:
+        return ()
+    there = {base.path.name: base.path for base in reversed(site.directories) if base.onikons}
+    unknown = next((name for name in names if name not in there), None)
+    if unknown is not None:
+        return Reason.of("cli.no_dictionary", names=tuple(sorted(there)), found=unknown)
+    return tuple(there[name] for name in dict.fromkeys(names))
 
 
 def directory(text: str) -> str:

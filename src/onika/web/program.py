@@ -94,6 +94,8 @@ class EnvironmentOptions:
     is_upper_only: bool = False
     may_repose: bool = False
     """Whether it costs next to nothing, and its simulator rests, while nobody does anything and nothing runs (X25)."""
+    dictionaries: tuple[Path, ...] = ()
+    """The base directories whose dictionaries are open at first; none named: all of the search path."""
     presentation: str = ""
     """How icons are presented in this session; empty: as each browser likes (H04)."""
 
@@ -153,7 +155,7 @@ class EnvironmentProgram:
         )
         stations = Stations(launching, post, time.monotonic)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
-        model, says = initial_model.opened(self._site, self._state, self._settings())
+        model, says = initial_model.opened(self._site, self._state, self._settings(), self._options.dictionaries)
         environment = Environment(model, HANDLERS, surroundings, WorldChannel(stations, self._site))
         hub = Hub(environment, stations)
         hub.remember(says)

@@ -24,6 +24,16 @@ def test_how_the_page_is_started_is_told_and_leads_nowhere_out_of_the_home(tmp_p
     assert shlex.quote(str(study)) in said.splitlines()[-1]
 
 
+def test_a_session_is_held_to_the_dictionaries_that_its_task_is_about(tmp_path, capsys):  # R-H09, R-H06
+    main(["study", "new", str(tmp_path / "folk")])
+    assert main([*PREPARED, str(tmp_path / "folk"), *WORDS, "--dictionary", "boxes", "--dictionary", "puma"]) == 0
+    assert " --dictionary boxes --dictionary puma" in capsys.readouterr().out
+    assert main([*PREPARED, str(tmp_path / "folk"), "s2", "--variant", "both", "--dictionary", "fruit"]) == 2
+    refused = capsys.readouterr().err
+    assert "expected one of boxes, " in refused and "found fruit" in refused
+    assert not (tmp_path / "folk" / "sessions" / "s2").exists()
+
+
 def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  # R-H09
     study = tmp_path / "folk"
     main(["study", "new", str(study)])

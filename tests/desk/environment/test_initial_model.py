@@ -47,6 +47,14 @@ def test_everything_that_is_at_fault_is_told_once_and_the_rest_is_there(tmp_path
     assert model.job_types and not model.settings.shows_warnings
 
 
+def test_it_may_begin_with_some_dictionaries_alone():  # R-H09, R-D01
+    site = open_site([], {}, None)
+    boxes = next(base.path for base in site.directories if base.path.name == "boxes")
+    model, says = opened(site, None, {}, (boxes,))
+    assert [dictionary.base.path for dictionary in model.dictionaries] == [boxes]
+    assert says == () and len(model.search) > 1
+
+
 def test_preferences_and_buttons_are_the_users(tmp_path):  # R-B12, R-G02
     (tmp_path / ".onika.buttons").write_text("VERSION 1.3\nBUTTON Clock\nFUNCTION date\nSPAWNNTTY no\nEOF\n")
     base = BaseDirectory(tmp_path / "base")

@@ -13,6 +13,7 @@ from types import FrameType
 
 from onika.cli.language import say
 from onika.cli.page import window
+from onika.cli.search_path import add_dictionaries, chosen_dictionaries, site_here
 from onika.cli.study.calibration import add_calibration, is_calibrated, page_of_workcell
 from onika.study.preparation import VARIANTS, Session, end, planned, prepare
 from onika.web.page_window import PageWindow
@@ -34,6 +35,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     add_subject(parser)
     parser.add_argument("--variant", choices=VARIANTS, default="", help=say(Reason.of("cli.study_variant")))
     parser.add_argument("--window", type=window, metavar="SIZE", help=say(Reason.of("cli.page_window")))
+    add_dictionaries(parser)
     add_calibration(parser)
     parser.add_argument("--open", action="store_true", help=say(Reason.of("cli.study_opens")))
 
@@ -51,6 +53,9 @@ def carry_out(given: argparse.Namespace) -> int:
     plan = planned(given.study, given.subject, given.variant)
     if isinstance(plan, Reason):
         return refused(plan)
+    dictionaries = chosen_dictionaries(site_here([]), given.dictionary)
+    if isinstance(dictionaries, Reason):
+        return refused(dictionaries)
     if not is_calibrated(given):
         return 1
     session = prepare(given.study, given.subject, given.variant)
@@ -58,7 +63,8 @@ def carry_out(given: argparse.Namespace) -> int:
         return refused(session)
     for subject in session.put_away:
         print(say(Reason.of("cli.study_put_away", subject=subject)))
-    words = (*page_words(session, given.window or PageWindow.read(_WINDOW)), *page_of_workcell(given))
+    shown = tuple(word for name in given.dictionary for word in ("--dictionary", name))
+    words = (*page_words(session, given.window or PageWindow.read(_WINDOW)), *shown, *page_of_workcell(given))
     if given.open:
         print(say(Reason.of("cli.study_opened", subject=session.subject, variant=session.variant)), flush=True)
         _print_steps()

@@ -1,6 +1,6 @@
 """The model with which an environment begins: libraries, preferences, buttons, syntax, and what could be opened."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from onika.desk.environment.file import file_index
@@ -16,8 +16,12 @@ from onika.store.site import Site
 from onika.wire import page
 
 
-def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tuple[Model, tuple[page.Say, ...]]:
+def opened(
+    site: Site, state: Path | None, environment: Mapping[str, str], dictionaries: Collection[Path] = ()
+) -> tuple[Model, tuple[page.Say, ...]]:
     """Everything of a site that an environment needs, and a line for each thing that is wrong with it.
+
+    dictionaries   the base directories whose dictionaries are open at first; none named: all
 
     A directory of the search path that is none is told and passed over (requirement C20).
     """
@@ -38,7 +42,8 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
         own_copies={str(copy.own): copy.laboratory for copy in own_copies(site)},
         flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
     )
-    model = with_syntax(listed.beside(model), syntax, bases)
+    shown = [base for base in bases if not dictionaries or base.path in dictionaries]
+    model = with_syntax(listed.beside(model), syntax, shown)
     model, of_arrangements = with_arrangements(model, site)
     faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults, *of_arrangements]
     faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
