@@ -65,6 +65,13 @@ def test_groups_and_who_is_removed_stand_in_a_table(tmp_path):  # R-H02
     assert keys(study) == [("subjects.csv", "study.not_listed"), ("subjects.csv:4", "study.no_log")]
 
 
+def test_all_who_have_no_log_yet_are_told_together(tmp_path):  # R-H02
+    (tmp_path / "s01.log").write_text(assembly(4.0))
+    (tmp_path / "subjects.csv").write_text("subject,group\ns01,both\ns02,words\ns03,both\n")
+    (fault,) = folder.read(tmp_path).faults
+    assert (fault.place.line, str(fault.reason)) == (3, "without log and results: s02 and s03")
+
+
 def test_two_logs_of_one_name_are_both_left_out(tmp_path):  # R-H02
     (tmp_path / "p1").mkdir()
     for path in ("p1.log", "p1.raw", "p1/a.log", "p2.log"):

@@ -60,10 +60,10 @@ def read(folder: Path) -> Study:
             continue
         subjects[row.subject], wrong = from_results(row, rows.get(row.subject), RESULTS)
         faults += wrong
-    for name, row in rows.items():
-        if name not in subjects and name not in files:
-            missing = Reason.of("study.no_log", subject=name)
-            faults.append(Fault(Place(SUBJECTS, row.line), missing, Reason.of("study.not_counted"), is_note=True))
+    absent = [row for name, row in rows.items() if name not in subjects and name not in files]
+    if absent:
+        without = Reason.of("study.no_log", subjects=tuple(row.subject for row in absent))
+        faults.append(Fault(Place(SUBJECTS, absent[0].line), without, Reason.of("study.none_counted"), is_note=True))
     answers = [
         answers_of(row, QUESTIONNAIRES, faults) for row in _table(folder / QUESTIONNAIRES, QUESTIONNAIRES, faults)
     ]
