@@ -72,12 +72,28 @@ class There:
 
 
 def wait_for(runtime, kind, when=lambda _one: True, seconds=30.0):
+    return wait_for_all(runtime, (lambda message: isinstance(message, kind) and when(message),), seconds)[0]
+
+
+def wait_for_all(runtime, wanted, seconds=30.0):
+    """The first message for each wish, in whatever order they come; several may come at one time."""
+    found = [None] * len(wanted)
     until = monotonic() + seconds
-    while monotonic() < until:
+    while None in found:
+        assert monotonic() < until, f"found only {found}"
         for message in runtime.events(0.5):
-            if isinstance(message, kind) and when(message):
-                return message
-    raise AssertionError(f"no {kind.__name__}")
+            for number, is_wanted in enumerate(wanted):
+                if found[number] is None and is_wanted(message):
+                    found[number] = message
+    return found
+
+
+def is_freed(message):
+    return isinstance(message, event.Held) and not message.holder
+
+
+def is_at_rest(message):
+    return isinstance(message, event.Drive) and message.state == "HELD" and "arm" in message.device
 
 
 def beaten(watcher, lease_s=0.25, seconds=30.0):
@@ -109,10 +125,9 @@ def test_what_a_frozen_holder_drives_holds_and_he_commands_nothing_when_he_thaws
         assert "held by" in str(watcher.ask(live.Take("main")).reason)
         beaten(watcher)
         console.send_signal(signal.SIGSTOP)
-        freed = wait_for(watcher, event.Held, lambda held: not held.holder)
+        freed, held = wait_for_all(watcher, (is_freed, is_at_rest))
         silent_s = float(re.search(r"silent for ([0-9.]+) s", str(freed.cause))[1])
         assert 0.25 <= silent_s < 0.75  # its beats come as datagrams
-        held = wait_for(watcher, event.Drive, lambda drive: drive.state == "HELD" and "arm" in drive.device)
         assert held.last_command_ns <= held.at_ns
         assert {task.state for subsystem in watcher.ask(live.Survey()).subsystems for task in subsystem.tasks} == {
             "OFF"
