@@ -31,7 +31,8 @@ def there(tmp_path):
     """A runtime in wall time that listens, its address, and where its state lies."""
     environment = os.environ | {"XDG_STATE_HOME": str(tmp_path)}
     environment.pop("ONIKA_TOKEN", None)
-    words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0"]  # in real time where that is granted: it must not be late
+    # In real time where that is granted: a device that is late would end its task before its holder is frozen.
+    words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as process:
         match = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
         place = There(match[1], Path(match[2]).read_text().strip(), tmp_path, environment)
