@@ -5,7 +5,7 @@ import pytest
 from kit.worlds.box_cells import boxes_world
 from onika.laws.mesh import mesh_name
 from onika.workcell.plant import Plant
-from onika.workcell.scene import BULB, looked_at, mesh_of
+from onika.workcell.scene import BULB, box_around, looked_at, mesh_of
 
 WORLD = boxes_world()
 WORLD.claim("arm_left", 1)
@@ -94,3 +94,11 @@ def test_a_joint_says_whether_it_slides():  # R-D25
     bodies = "".join(f"<body>{joints.format(kind)}</body>" for kind in ("slide", "hinge"))
     slide, hinge = looked_at(plant_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
     assert (slide.hinge.slides, hinge.hinge.slides) == (True, False)
+
+
+def test_points_on_the_box_around_a_shape_lie_on_all_its_sides():
+    model = plant_of("<mujoco><worldbody><geom type='box' size='.1 .2 .3'/></worldbody></mujoco>").model
+    points = box_around(model, 0, 3)
+    assert points.shape == (3**3 - 1, 3)
+    assert points.max(axis=0) == pytest.approx((0.1, 0.2, 0.3)) == -points.min(axis=0)
+    assert ((abs(points) > (0.099, 0.199, 0.299)).any(axis=1)).all()

@@ -94,6 +94,14 @@ def mesh_of(model: Any, number: int) -> tuple[npt.NDArray[np.float32], npt.NDArr
     return corners.reshape(-1, 3), triangles.reshape(-1, 3)
 
 
+def box_around(model: Any, k: int, edge: int) -> npt.NDArray[np.float64]:
+    """Points on the box around a shape, `edge` along each edge, in the shape's frame: float64[n,3] (m)."""
+    line = np.linspace(-1.0, 1.0, edge)
+    grid = np.array(np.meshgrid(line, line, line)).reshape(3, -1).T
+    outside = grid[np.abs(grid).max(axis=1) == 1.0]
+    return np.asarray(model.geom_aabb[k][:3] + outside * model.geom_aabb[k][3:])
+
+
 def _shape(model: Any, k: int, meshes: Mapping[int, str], *, is_first: bool) -> Shape3d:
     body, material = int(model.geom_bodyid[k]), int(model.geom_matid[k])
     rgba = model.geom_rgba[k] if material < 0 else model.mat_rgba[material]

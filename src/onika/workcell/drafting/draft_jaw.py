@@ -14,7 +14,7 @@ import numpy as np
 from onika.laws.frames import Array
 from onika.words.reason import Reason
 from onika.workcell.drafting.draft_chain import DraftTool, below
-from onika.workcell.scene import mesh_number, mesh_of
+from onika.workcell.scene import box_around, mesh_number, mesh_of
 
 _OUTER = 0.85  # a share of the length of the jaw; its tip is what lies further out
 _WIDEST_RAD = 1.0  # further open, jaws face nothing that could stand between them
@@ -42,8 +42,8 @@ def draft_jaw(model: Any, bearer: int, jaw: int, signals: Sequence[float], tried
     signals     those with which it is closed and open
     is_servo    whether it stops between them with a signal between them
     """
-    closing, opening = sorted(signals, key=lambda signal: _nearest(model, tried(signal), bearer, jaw)[0])
-    closed, opened = tried(closing), tried(opening)
+    states = [(signal, tried(signal)) for signal in signals]
+    (closing, closed), (opening, opened) = sorted(states, key=lambda each: _nearest(model, each[1], bearer, jaw)[0])
     _, tip, foot = _nearest(model, closed, bearer, jaw)
     own = closed.xmat[jaw].reshape(3, 3).T @ (tip - closed.xpos[jaw])
     share = _facing(model, opened, closed, int(model.body_jntadr[jaw]))
@@ -126,10 +126,7 @@ def _own(model: Any, k: int) -> Array:
     mesh = mesh_number(model, k)
     if mesh >= 0:
         return np.asarray(mesh_of(model, mesh)[0], dtype=float)
-    line = np.linspace(-1.0, 1.0, _GRID)
-    grid = np.array(np.meshgrid(line, line, line)).reshape(3, -1).T
-    outside: Array = grid[np.abs(grid).max(axis=1) == 1.0]
-    return np.asarray(model.geom_aabb[k][:3] + outside * model.geom_aabb[k][3:])
+    return box_around(model, k, _GRID)
 
 
 def _is_hinge(model: Any, joint: int) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 
 from onika.laws.frames import Array
 from onika.model.picture import BLACK, SIZE, framed
-from onika.workcell.scene import looked_at_numbers, mesh_number, mesh_of
+from onika.workcell.scene import box_around, looked_at_numbers, mesh_number, mesh_of
 
 _ROOM = SIZE - 6  # cells that a robot takes up at most, beside the border and a line around it
 _RIGHT = np.array([-0.5, 0.8660254, 0.0])
@@ -80,10 +80,7 @@ def _points(model: Any, k: int) -> Array:
     """Points on a shape in its own frame, so near to each other that no cell is left out."""
     mesh = mesh_number(model, k)
     if mesh < 0:
-        line = np.linspace(-1.0, 1.0, _EDGE)
-        grid = np.array(np.meshgrid(line, line, line)).reshape(3, -1).T
-        outside = grid[np.abs(grid).max(axis=1) == 1.0]
-        return np.asarray(model.geom_aabb[k][:3] + outside * model.geom_aabb[k][3:])
+        return box_around(model, k, _EDGE)
     corners, triangles = mesh_of(model, mesh)
     edge = int(np.clip(np.sqrt(2.0 * _POINTS / max(len(triangles), 1)), 2, 40))
     shares = np.array([(a, b) for a in range(edge) for b in range(edge - a)]) / (edge - 1)
