@@ -16,7 +16,7 @@ import {
   present,
 } from '../dictionary/acts'
 import { look } from '../state/look.svelte'
-import { fixedPresentation, PRESENTATIONS } from '../onikon/presentation'
+import { fixedPresentation, isHeldToWords, PRESENTATIONS } from '../onikon/presentation'
 import { workspace } from '../state/workspace.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 
@@ -52,7 +52,10 @@ add('fits', 'dictionary.fitsOnly', {
 add('presentation', 'dictionary.nextPresentation', { when: () => !fixedPresentation(), run: nextPresentation })
 add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(workspace.onikon) })
 add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(workspace.onikon) })
-add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(workspace.onikon) })
+add('picture', 'dictionary.drawIt', {
+  when: () => selected() !== undefined && !isHeldToWords(),
+  run: () => editPicture(workspace.onikon),
+})
 add('expand', 'dictionary.expandIt', {
   when: () => {
     const onikon = selected()

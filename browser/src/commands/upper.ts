@@ -4,6 +4,7 @@ import { command, type Command } from '../state/commands'
 import { closesFirst } from '../state/layers'
 import { workspace } from '../state/workspace.svelte'
 import { topsOf } from '../application/actions'
+import { isHeldToWords } from '../onikon/presentation'
 import { workspaceState, SIZES } from '../workspace/workspaceState.svelte'
 import {
   addFlow,
@@ -77,7 +78,11 @@ function registerUpper(): void {
     run: () => (workspaceState.opened = { kind: 'branch', step: 0 }),
   })
   add('edit', 'upper.edit', { keys: ['F2'], when: isMeant, run: () => edit(firstMeant()) })
-  add('picture', 'upper.picture', { keys: ['Shift+F2'], when: isMeant, run: () => editPicture(firstMeant()) })
+  add('picture', 'upper.picture', {
+    keys: ['Shift+F2'],
+    when: () => isMeant() && !isHeldToWords(),
+    run: () => editPicture(firstMeant()),
+  })
   add('expand', 'upper.expand', {
     keys: ['Shift+Enter'],
     when: () => isMeant() && !whyNotExpand(firstMeant()),

@@ -10,6 +10,7 @@ import type { Point } from '../act/refused.svelte'
 import { goTo } from '../act/documents.svelte'
 import { goInto, open, openInPlace } from '../act/opening'
 import { insert as insertHere } from '../workspace/acts'
+import { isHeldToWords } from '../onikon/presentation'
 import { gapAt, jobBefore, type Gap } from '../onikon/fits'
 
 export const application = () => desk.tree.applications[workspace.app]
@@ -51,7 +52,8 @@ export async function expandInPlace({ source }: Pick<OnikonView, 'source'>): Pro
 }
 
 export const edit = (name: string): void => openDialog('icon', { onikon: name })
-export const editPicture = (name: string): void => openDialog('icon', { onikon: name, tab: 'picture' })
+export const editPicture = (name: string): void =>
+  openDialog('icon', { onikon: name, tab: isHeldToWords() ? 'what' : 'picture' })
 export const remove = (name: string, at?: Point): Promise<unknown> => act({ t: 'RemoveOnikon', onikon: name }, at)
 export const openDictionary = (): void => openDialog('open', { what: 'dictionary' })
 export const newTarget = (data: Record<string, string> = {}): void => openDialog('target', data)

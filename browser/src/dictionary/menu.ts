@@ -3,6 +3,7 @@ import type { OnikonView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { canvas } from '../state/canvas.svelte'
 import { look } from '../state/look.svelte'
+import { isHeldToWords } from '../onikon/presentation'
 import type { Point } from '../act/refused.svelte'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
@@ -22,7 +23,7 @@ export function menuOf(name: string, at: Point): Item[] {
       run: () => edit(name),
       begins: true,
     },
-    { label: t('dictionary.picture'), keys: 'P', run: () => editPicture(name) },
+    ...(isHeldToWords() ? [] : [{ label: t('dictionary.picture'), keys: 'P', run: () => editPicture(name) }]),
     ...(isTarget
       ? [{ label: t('dictionary.like'), run: () => newTarget({ type: onikon.type, like: name }), begins: true }]
       : []),

@@ -68,10 +68,12 @@ const UPPER: Table[] = [
 /** What leads to the lower level means nothing where that is hidden. */
 const LOWER_ONLY: readonly TextKey[] = ['mouse.d.configuration']
 
-/** The tables of a level; `isUpperOnly`: there is no lower one. */
-export const mouse = (level: Level, isUpperOnly = false): Table[] =>
-  level === 'tasks'
-    ? LOWER
-    : isUpperOnly
-      ? UPPER.map(([title, rows]) => [title, rows.filter(([, what]) => !LOWER_ONLY.includes(what))])
-      : UPPER
+/** What draws pictures means nothing where none are shown. */
+const DRAWING: readonly TextKey[] = ['mouse.d.picture']
+
+/** The tables of a level; `isUpperOnly`: there is no lower one; `isWithoutPictures`: nobody sees any. */
+export function mouse(level: Level, isUpperOnly = false, isWithoutPictures = false): Table[] {
+  if (level === 'tasks') return LOWER
+  const idle = [...(isUpperOnly ? LOWER_ONLY : []), ...(isWithoutPictures ? DRAWING : [])]
+  return UPPER.map(([title, rows]) => [title, rows.filter(([, what]) => !idle.includes(what))])
+}

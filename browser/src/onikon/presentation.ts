@@ -10,6 +10,9 @@ export const fixedPresentation = (): Presentation | undefined =>
 
 export const presentation = (): Presentation => fixedPresentation() ?? look.presentation
 
+/** Whether nobody can see a picture in this session, so that there is none to draw either. */
+export const isHeldToWords = (): boolean => fixedPresentation() === 'words'
+
 /** Whether icons are rectangles with words: no pictures, and edges without colour and shape, as in the dissertation (§6.2.1). */
 export const isWordsOnly = (): boolean => presentation() === 'words'
 

@@ -26,6 +26,7 @@ export const enHelp = {
   'mouse.w.move': 'Move it; copy it',
   'help.parts': 'Parts of the help',
   'help.pictures': 'In pictures',
+  'help.words': 'In short',
   'help.keys': 'Keys and mouse',
   'help.lower': 'Lower level: tasks',
   'help.upper': 'Upper level: applications',
@@ -49,6 +50,19 @@ export const enHelp = {
   'guide.run': 'Run it',
   'guide.runSay':
     'Press Run, on the right. Pause waits after the action that goes on. Stop, at the upper right or `Ctrl .`, holds every drive at once.',
+  'guideWords.lead':
+    'A program is a row of boxes between go and stop. Each is something the robot does, or where it does it.',
+  'guideWords.choose': 'Choose what to do',
+  'guideWords.putSay':
+    'Right click on the box that it shall follow. Or drag it there, or double click it, or type `/` and its words, then `Enter`.',
+  'guideWords.fit': 'Neighbours must fit',
+  'guideWords.fitSay':
+    'What does not fit is refused, with the reason. A job that moves must be told where: its target comes right behind it.',
+  'guideWords.holeSay':
+    'Where something is missing a hole keeps its place. Click it: “Fits here” shows what may go in. A program with holes does not run.',
+  'guideWords.changeSay':
+    '`Delete` takes the selected box out, `C` copies, `V` pastes, dragging moves. `Ctrl Z` takes anything back.',
+  'guideWords.inside': 'see what a box is made of',
   'guide.more': 'And then',
   'guide.breakpoint': 'pause after this action',
   'guide.together': 'begin together with another flow',
@@ -93,6 +107,10 @@ export const enHelp = {
   'tutorial.endHow': 'On the right it says how it went, and how long it took.',
   'tutorial.save': 'Save it under a name',
   'tutorial.saveHow': '`Ctrl S`. It is a file then, and a picture for other programs if you wish: “As icon…”.',
+  'tutorialWords.completeHow': 'Click it in the dictionary, then right click on go. Dragging it there does the same.',
+  'tutorialWords.jobHow': 'It wants to know where to. Until it does, a hole keeps the place.',
+  'tutorialWords.fill': 'Fill the hole with a target',
+  'tutorialWords.saveHow': '`Ctrl S`. It is a file then, and a box for other programs if you wish: “As icon…”.',
   'tutorial.course': 'Course',
   'tutorial.course.first': 'First steps',
   'tutorial.course.loops': 'Loops',

@@ -28,6 +28,7 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'mouse.w.move': 'Moverlo; copiarlo',
   'help.parts': 'Partes de la ayuda',
   'help.pictures': 'En imágenes',
+  'help.words': 'En breve',
   'help.keys': 'Teclas y ratón',
   'help.lower': 'Nivel inferior: tareas',
   'help.upper': 'Nivel superior: aplicaciones',
@@ -51,6 +52,19 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'guide.run': 'Ejecútelo',
   'guide.runSay':
     'Pulse Ejecutar, a la derecha. Pausa espera tras la acción en curso. Parar, arriba a la derecha o `Ctrl .`, detiene todos los accionamientos al instante.',
+  'guideWords.lead':
+    'Un programa es una fila de cuadros entre salida y parada. Cada uno es algo que hace el robot, o dónde lo hace.',
+  'guideWords.choose': 'Elija qué hacer',
+  'guideWords.putSay':
+    'Clic derecho en el cuadro al que debe seguir. O arrástrelo, o haga doble clic en él, o escriba `/` y sus palabras, y luego `Enter`.',
+  'guideWords.fit': 'Los vecinos deben encajar',
+  'guideWords.fitSay':
+    'Lo que no encaja se rechaza, y se dice por qué. A un trabajo que mueve hay que decirle adónde: su objetivo va justo detrás.',
+  'guideWords.holeSay':
+    'Donde falta algo, un hueco guarda el sitio. Haga clic en él: «Encaja aquí» muestra lo que puede ir. Un programa con huecos no se ejecuta.',
+  'guideWords.changeSay':
+    '`Supr` quita el cuadro seleccionado, `C` copia, `V` pega, arrastrar mueve. `Ctrl Z` lo deshace todo.',
+  'guideWords.inside': 'ver de qué está hecho un cuadro',
   'guide.more': 'Y además',
   'guide.breakpoint': 'pausar tras esta acción',
   'guide.together': 'empezar junto con otro flujo',
@@ -97,6 +111,12 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.save': 'Guárdelo con un nombre',
   'tutorial.saveHow':
     '`Ctrl S`. Entonces es un archivo y, si lo desea, una imagen para otros programas: «Como icono…».',
+  'tutorialWords.completeHow':
+    'Haga clic en él en el diccionario y luego clic derecho en la salida. Arrastrarlo hasta allí hace lo mismo.',
+  'tutorialWords.jobHow': 'Quiere saber adónde. Hasta entonces, un hueco guarda el sitio.',
+  'tutorialWords.fill': 'Llene el hueco con un objetivo',
+  'tutorialWords.saveHow':
+    '`Ctrl S`. Entonces es un archivo y, si lo desea, un cuadro para otros programas: «Como icono…».',
   'tutorial.course': 'Curso',
   'tutorial.course.first': 'Primeros pasos',
   'tutorial.course.loops': 'Bucles',

@@ -9,6 +9,7 @@ import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
 import { goInto, lookInto, open } from '../act/opening'
 import { subsystemAt } from '../progress/inside'
+import { isHeldToWords } from '../onikon/presentation'
 import { t } from '../texts/index.svelte'
 import { flowOf, headOf, inReadingOrder, wholeOf } from '../application/actions'
 import { workspaceState } from './workspaceState.svelte'
@@ -150,8 +151,11 @@ function left(place: Place): void {
 }
 
 /** Steps done so many times: a job that counts comes behind them, as one step that Undo takes back. */
-export const repeat = (steps: readonly number[], times: number): Promise<unknown> =>
-  act({ t: 'RepeatSteps', doc: workspace.app, steps: [...steps], times, description: t('upper.times', { n: times }) })
+export const repeat = (steps: readonly number[], times: number, at?: Point): Promise<unknown> =>
+  act(
+    { t: 'RepeatSteps', doc: workspace.app, steps: [...steps], times, description: t('upper.times', { n: times }) },
+    at,
+  )
 
 /** The form of a loop: both its ends where several actions are selected, else the one, and the other is pointed at. */
 export function askForLoop(heads = meantHeads()): void {
@@ -247,7 +251,8 @@ export function edit(step: number): void {
   else openDialog('icon', { step: String(step) })
 }
 
-export const editPicture = (step: number): void => openDialog('icon', { step: String(step), tab: 'picture' })
+export const editPicture = (step: number): void =>
+  openDialog('icon', { step: String(step), tab: isHeldToWords() ? 'what' : 'picture' })
 
 /** Look for what fits into a hole. */
 export function quickAt(hole: number): void {

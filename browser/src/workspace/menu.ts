@@ -6,6 +6,7 @@ import { workspace } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { homeOf } from '../application/redirectChoices'
 import type { Item } from '../widgets/Menu.svelte'
+import { isHeldToWords } from '../onikon/presentation'
 import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from '../application/actions'
@@ -82,7 +83,7 @@ function iconItems(step: number, at: Point): Item[] {
   const why = whyNotExpand(step)
   const onikon = desk.tree.onikons[workspace.onikon]
   return [
-    { label: t('upper.picture'), run: () => editPicture(step) },
+    ...(isHeldToWords() ? [] : [{ label: t('upper.picture'), run: () => editPicture(step) }]),
     {
       label: t(view?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'),
       run: () => expand(step),

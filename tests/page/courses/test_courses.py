@@ -56,8 +56,7 @@ def test_a_shipped_program_is_none_of_ones_own_and_a_changed_one_none_to_look_at
     me.page.get_by_title(re.compile("wave_three.appl$")).click()  # its run is over, and it came round
     expect(me.workspace.get_by_role("heading", level=1)).to_have_text("wave_three")
     me.is_at("loopRun")
-    me.step(1).click()
-    me.page.keyboard.press("Delete")
+    me.takes_out(1)
     me.panel.get_by_role("button", name=me.t("tutorial.again")).click()
     me.is_at("loopSee")
     expect(me.lesson).to_contain_text(me.t("tutorial.changed", name="wave_three").partition(" (")[0])

@@ -298,6 +298,23 @@ def test_what_is_selected_is_repeated_so_many_times_in_one_step(me):  # R-D06, R
     me.has(OPEN, CLOSE)
 
 
+def test_why_a_number_of_times_is_refused_stands_beneath_the_form_which_stays(me):  # R-D13, R-X01
+    me.insert("opengripC", "closegripC")
+    me.menu_item(me.step(1), "Repeat")
+    form = me.page.get_by_role("form", name="Repeat what is selected")
+    field = form.get_by_role("textbox", name="How often")
+    field.fill("1")
+    field.press("Enter")
+    expect(me.refusal).to_contain_text("steps can be done 2 to 1000000 times in a loop, not 1")
+    beneath, above = me.refusal.bounding_box(), form.bounding_box()
+    assert beneath["y"] >= above["y"] + above["height"], "it hides no button of the form"
+    field.fill("2")
+    expect(me.refusal).to_have_count(0)
+    field.press("Enter")
+    expect(form).to_have_count(0)
+    me.has(OPEN, "repeat the loop", "2 times", CLOSE)
+
+
 def test_a_branch_stands_in_line_with_its_flows_and_conditions(me):  # R-D13, R-D10
     me.insert("opengripC")
     me.step(1).click()

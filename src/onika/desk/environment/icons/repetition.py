@@ -34,8 +34,8 @@ _LETTERS = 2
 def repeat_steps(model: Model, opened: OpenApplication, command: act.RepeatSteps, _outside: Services) -> Done | No:
     """Have steps of one flow done so many times; the value is the tag of their loop."""
     if not _FEWEST <= command.times <= _MOST:
-        form = Reason.of("desk.times_form", least=_FEWEST, most=_MOST)
-        return No(Reason.of("desk.times_unfit", times=command.times), fields={"times": form})
+        unfit = Reason.of("desk.times_unfit", least=_FEWEST, most=_MOST, times=command.times)
+        return No(unfit, fields={"times": unfit})
     counter = next(_counters(model), None)
     if counter is None:
         return No(Reason.of("desk.no_counter"))

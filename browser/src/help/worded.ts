@@ -1,0 +1,22 @@
+// What the help says among words alone, where it would speak of pictures, edges and colours that nobody sees (H04).
+import { isWordsOnly } from '../onikon/presentation'
+import type { TextKey } from '../texts/index.svelte'
+
+const AMONG_WORDS: Partial<Record<TextKey, TextKey>> = {
+  'help.pictures': 'help.words',
+  'guide.lead': 'guideWords.lead',
+  'guide.choose': 'guideWords.choose',
+  'guide.putSay': 'guideWords.putSay',
+  'guide.fit': 'guideWords.fit',
+  'guide.fitSay': 'guideWords.fitSay',
+  'guide.holeSay': 'guideWords.holeSay',
+  'guide.changeSay': 'guideWords.changeSay',
+  'guide.inside': 'guideWords.inside',
+  'tutorial.completeHow': 'tutorialWords.completeHow',
+  'tutorial.jobHow': 'tutorialWords.jobHow',
+  'tutorial.fill': 'tutorialWords.fill',
+  'tutorial.saveHow': 'tutorialWords.saveHow',
+}
+
+/** The sentence that is true of what is shown. */
+export const worded = (key: TextKey): TextKey => (isWordsOnly() ? (AMONG_WORDS[key] ?? key) : key)
