@@ -66,7 +66,7 @@ def test_a_pose_that_is_not_finite_is_refused():
 def test_a_joint_is_never_taken_beyond_its_limits():
     reason = INVERSE.nearest(SCARA.forward([0.3, 0.4, 0.40, 0.2]), np.zeros(4))
     assert isinstance(reason, str)
-    assert "0.105 m" in reason  # the quill ends at 0.295 m
+    assert "0.1050 m" in reason  # the quill ends at 0.295 m
 
 
 @pytest.mark.parametrize("name", sorted(ARMS))
@@ -97,3 +97,29 @@ def test_who_looks_nearby_alone_finds_no_posture_far_away():
         missed += isinstance(near.nearest(arm.pose(q), arm.constants["HOME"]), str)
         assert not isinstance(anywhere.nearest(arm.pose(q), arm.constants["HOME"]), str)
     assert missed > 0
+
+
+# six parallel axes: the arm stays in a plane, and its axes are as straight as a file with four digits makes them
+PLANAR_DH = np.array([[0.2, 1e-5 * (-1) ** k, 0.0, 0.0] for k in range(6)])
+FLAT = DampedInverse(serial_arm(PLANAR_DH), np.full(6, -2.0), np.full(6, 2.0))
+
+
+def test_a_pose_of_four_digits_is_reached_where_the_joints_leave_no_more():  # R-E09, R-X19
+    random = np.random.default_rng(2)
+    for _ in range(examples(5)):
+        q = random.uniform(-1.0, 1.0, 6)
+        pose = serial_arm(PLANAR_DH).forward(q)
+        pose[:3, 3] = np.round(pose[:3, 3], 4)
+        solution = FLAT.nearest(pose, q)
+        assert not isinstance(solution, str), solution
+        assert np.abs(serial_arm(PLANAR_DH).forward(solution) - pose).max() < 1e-4
+        assert np.abs(solution - q).max() < 0.01  # it does not fly to where the pose would be a hair nearer
+
+
+def test_who_follows_a_way_is_told_what_ends_it():  # R-E09, R-F03
+    near = DampedInverse(SCARA, LOW, HIGH, starts=0)
+    down = SCARA.forward([0.3, 0.4, 0.30, 0.2])
+    assert near.nearest(down, [0.3, 0.4, 0.294, 0.2]) == "the way leads out of reach: joint 3 stands at its limit"
+    aside = SCARA.forward([0.3, 0.02, 0.1, 0.2])
+    aside[:2, 3] *= 1.001
+    assert near.nearest(aside, [0.3, 0.02, 0.1, 0.2]).startswith("the way leads out of reach: no posture beside")

@@ -10,6 +10,7 @@ from rich.text import Text
 from onika.cli.conversation import next_line
 from onika.cli.event_text import SummaryTone, item_text, lines, summary
 from onika.cli.language import say
+from onika.cli.lines.hindrance_lines import HindranceLines
 from onika.cli.panel import Panel
 from onika.cli.terminal import Terminal
 from onika.cli.typed_input.keyboard import Keyboard
@@ -47,6 +48,7 @@ class LiveDisplay:
         self._console = Console(highlight=False)
         self._panel = Panel()
         self._keyboard = Keyboard()
+        self._hindrance = HindranceLines()
         self._total = 0
         self._has_moved = False
         self._looked = 0.0
@@ -84,6 +86,8 @@ class LiveDisplay:
         self._has_moved = self._has_moved or isinstance(happening, event.Began | event.Moved)
         for line in lines(happening, self._total, self._panel.flow_index.subsystems, self._console.width):
             self._console.print(Text(line, style=_STYLES.get(type(happening), "")))
+        if hindrance := self._hindrance.line(happening, say):
+            self._console.print(Text(hindrance, style=_STYLES[event.Failed]))
 
     def answer(self, question: event.Asked) -> str | None:
         """Ask for it in the terminal, value by value; None at the end of the input."""

@@ -5,6 +5,7 @@ from types import TracebackType
 from onika.cli.conversation import next_line
 from onika.cli.event_text import item_text, lines, summary
 from onika.cli.language import say
+from onika.cli.lines.hindrance_lines import HindranceLines
 from onika.cli.plain_console import PlainConsole
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
@@ -23,6 +24,7 @@ class PlainDisplay:
         self._total = 0
         self._cast = FlowIndex(())
         self._input = PlainConsole()
+        self._hindrance = HindranceLines()
 
     def __enter__(self) -> "PlainDisplay":
         return self
@@ -43,8 +45,9 @@ class PlainDisplay:
 
     def happens(self, happening: event.Event) -> None:
         """Its lines, if there are any."""
-        for line in lines(happening, self._total, self._cast.subsystems):
-            self._write(line)
+        for line in (*lines(happening, self._total, self._cast.subsystems), self._hindrance.line(happening, say)):
+            if line:
+                self._write(line)
 
     @property
     def can_steer(self) -> bool:

@@ -3,7 +3,8 @@
 dq = (J^T J + lambda^2 I)^-1 J^T e, e = (p* - p, log(R* R^T)) (Wampler 1986; Nakamura & Hanafusa 1986), lambda as
 large as the error. A joint that stands at a limit and would be pushed beyond it is left out of a step. An arm with
 fewer than six joints reaches the poses that its joints allow, and no others; one with more keeps its posture: of all
-steps the shortest is taken.
+steps the shortest is taken. A pose that is written in a few digits lies a little beside what such an arm reaches: what
+cannot be had more exactly is taken as it is where it is hardly off.
 """
 
 import math
@@ -15,11 +16,17 @@ from onika.laws.frames import Array, Numbers, rotation_log
 from onika.laws.sentence import LawSentence
 
 _TOLERANCE = 1e-8  # m and rad together
+_GRAIN = 1e-4  # m and rad together: what is so near, and comes no nearer, is where a pose of four digits is meant
+_LEAST_DAMPING = (
+    1e-6  # no joint flies away for a hair: directions in which the tool moves by less than 1e-3 hardly count
+)
 _ITERATIONS = 60
+_LITTLE_LESS = 0.9  # of the error before a step: what is left cannot be had
 _LOOK, _LESS = 10, 0.7  # after so many steps the error has to be less than this share, else a way leads nowhere
 STARTS = 60
 """From how many other postures a solution is looked for where the way from the near one leads nowhere."""
 _ENOUGH = 4  # solutions from other postures, of which the nearest is taken
+_AT_LIMIT = 0.01  # rad or m: a joint so near to its limit cannot go on
 _LONGEST_STEP = 0.5  # rad or m
 _WIDE = 1e3  # rad or m: a limit beyond it is none
 _FREE = {False: math.pi, True: 1.0}  # rad, m: between which postures a joint without limits is started, either way
@@ -45,39 +52,51 @@ class DampedInverse:
         if not np.isfinite(pose).all():
             return LawSentence("laws.pose_infinite", "the pose is not finite")
         q, error = self._descend(pose, near)
-        if _size(error) <= _TOLERANCE:
+        if _size(error) <= _GRAIN:
             return q
         solved = []
         for start in self._starts:
             q, other = self._descend(pose, start)
-            if _size(other) <= _TOLERANCE:
+            if _size(other) <= _GRAIN:
                 solved.append(q)
             error = min(error, other, key=_size)
             if len(solved) == _ENOUGH:
                 break
         if solved:
             return min(solved, key=lambda q: float((q - near) @ (q - near)))
-        metres, radians = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
-        return LawSentence(
-            "laws.posture_away",
-            "out of reach: the nearest posture found within limits is {metres:.3f} m and {radians:.3f} rad away",
-            metres=metres,
-            radians=radians,
-        )
+        return self._why_not(near, error)
+
+    def _why_not(self, near: Array, error: Array) -> LawSentence:
+        """Why a pose is out of reach; who looks only near the last posture is told what ends the way from there."""
+        if len(self._starts):
+            metres, radians = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
+            return LawSentence(
+                "laws.posture_away",
+                "out of reach: the nearest posture found within limits is {metres:.4f} m and {radians:.4f} rad away",
+                metres=metres,
+                radians=radians,
+            )
+        spare = np.minimum(near - self._low, self._high - near)
+        joint = int(spare.argmin())
+        if spare[joint] < _AT_LIMIT:
+            sentence = "the way leads out of reach: joint {joint} stands at its limit"
+            return LawSentence("laws.way_ends_at_limit", sentence, joint=joint + 1)
+        return LawSentence("laws.way_ends", "the way leads out of reach: no posture beside the last one is on it")
 
     def _descend(self, pose: Array, start: Array) -> tuple[Array, Array]:
         q = start.copy()
         error = self._error(pose, q)
-        before = math.inf
+        before = last = math.inf
         for count in range(_ITERATIONS):
             size = _size(error)
-            if size <= _TOLERANCE:
+            if size <= _TOLERANCE or _GRAIN >= size > _LITTLE_LESS * last:
                 break
+            last = size
             if count % _LOOK == 0:
                 if size > _LESS * before:
                     break
                 before = size
-            step = self._step(q, error, min(size * size, 1e-2) + 1e-14)
+            step = self._step(q, error, min(max(size * size, _LEAST_DAMPING), 1e-2))
             step *= min(1.0, _LONGEST_STEP / max(float(np.abs(step).max()), 1e-12))
             q = np.clip(q + step, self._low, self._high)
             error = self._error(pose, q)

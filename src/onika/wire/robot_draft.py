@@ -24,6 +24,8 @@ class RobotDraft(Struct, frozen=True):
     """How long the way from one to the other takes."""
     line: tuple[float, ...] = ()
     """A pose as a Cartesian target has it, in a straight line from `away`; empty: there is none, or few joints."""
+    line_s: float = 0.0
+    """How long that line takes."""
     opening: tuple[float, ...] = ()
     """The widths of a gripper, open and closed (m), and a force (N); empty: there is none."""
     pictures: tuple[tuple[str, ...], ...] = ()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.worlds.file_cells import CELL, files_of
+from kit.worlds.file_cells import CELL, changed, files_of
 from onika.ring.device import DeviceOrder
 from onika.workcell.cell.file_world import FileWorld
 
@@ -17,7 +17,7 @@ def held(world, device, goal):
     world.claim(device, 1)
     for k in range(1, 101):
         part = k / 100
-        wanted = [0.2 + part * (goal[0] - 0.2), 0.3 * (1 - part), 0.0]
+        wanted = [0.2 + part * (goal[0] - 0.2), 0.3 + part * (goal[1] - 0.3), 0.0]
         world.command(
             device, 1, int(DeviceOrder.DRIVE), wanted if device.endswith("_kin") else [*wanted, 0.0, 0.0, 0.0]
         )
@@ -30,11 +30,18 @@ def held(world, device, goal):
 
 @pytest.mark.parametrize("device", ["elbow_left", "elbow_left_kin"])
 def test_an_arm_that_presses_against_a_table_says_so_and_where_it_is(device):  # R-X19
-    stands, touches = held(FileWorld(files_of({**CELL, "world/cell.world": BESIDE})), device, (1.2,))
+    stands, touches = held(FileWorld(files_of({**CELL, "world/cell.world": BESIDE})), device, (1.2, 0.0))
     assert stands.startswith(f"{device} stands at x = ")
     assert any("touches table" in sentence for sentence in touches)
 
 
 def test_an_arm_in_the_air_touches_nothing():  # R-X19
-    stands, touches = held(FileWorld(files_of()), "elbow_left", (-1.0,))
+    stands, touches = held(FileWorld(files_of()), "elbow_left", (-1.0, 0.0))
     assert "stands at" in stands and touches == []
+
+
+@pytest.mark.parametrize(("device", "told"), [("elbow_left", ["elbow_left meets itself"]), ("elbow_left_kin", [])])
+def test_an_arm_that_presses_against_itself_says_so_where_there_are_forces(device, told):  # R-X19, R-X06
+    post = '<geom type="box" size="0.02 0.1 0.05" pos="0.36 0 0.22"/><body name="lower"'
+    world = FileWorld(changed("robot/elbow.xml", '<body name="lower"', post))
+    assert held(world, device, (0.2, -1.4))[1] == told

@@ -13,6 +13,10 @@ from onika.wire.robot_draft import RobotDraft
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.workcell.drafting.draft import draft
 
+ON_TENDON = """<tendon><fixed name="cord"><joint joint="bend" coef="1"/></fixed></tendon>
+<actuator><motor name="winch" tendon="cord"/></actuator></mujoco>"""
+"""The only actuator pulls at a cord."""
+
 
 def source(text):
     return WorldSource("new", "", (WorldFile("robot/new.xml", "/lab/new.xml", text.encode()),))
@@ -50,7 +54,11 @@ def test_every_line_that_is_no_plain_fact_says_where_it_comes_from():  # R-X19
 
 @pytest.mark.parametrize(
     ("text", "key"),
-    [(STATUE, "workcell.draft_no_joints"), ("<mujoco><nonsense/></mujoco>", "workcell.model_unreadable")],
+    [
+        (STATUE, "workcell.draft_no_joints"),
+        (PLAIN.replace("</mujoco>", ON_TENDON), "workcell.draft_none_driven"),
+        ("<mujoco><nonsense/></mujoco>", "workcell.model_unreadable"),
+    ],
 )
 def test_a_model_of_which_no_robot_can_be_made_is_refused(text, key):  # R-X19
     answer = draft(source(text), "new", "new.xml")

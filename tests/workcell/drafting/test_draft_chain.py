@@ -1,5 +1,6 @@
 import mujoco
 import numpy as np
+import pytest
 
 from kit.worlds.file_cells import ARM
 from kit.worlds.robot_models import PLAIN, STATUE
@@ -29,8 +30,23 @@ def test_the_arm_is_the_longest_run_of_joints_without_its_fingers():  # R-X19
 def test_joints_that_nothing_drives_are_no_arm():  # R-X19
     assert draft_chain(model_of(PLAIN)) is None
     assert draft_chain(model_of(STATUE)) is None
-    half = PLAIN.replace("</mujoco>", '<actuator><motor joint="turn"/></actuator></mujoco>')
-    assert len(draft_chain(model_of(half)).joints) == 1
+
+
+@pytest.mark.parametrize(("driven", "start", "notes"), [("turn", "", []), ("bend", "post", ["workcell.draft_loose"])])
+def test_the_arm_is_the_part_of_a_run_that_is_driven(driven, start, notes):  # R-X19
+    model = model_of(PLAIN.replace("</mujoco>", f'<actuator><motor joint="{driven}"/></actuator></mujoco>'))
+    chain = draft_chain(model)
+    assert [model.joint(k).name for k in chain.joints] == [driven]
+    assert (chain.start, [note.key for note in chain.notes]) == (start, notes)
+
+
+def test_a_rod_that_nothing_drives_is_no_branch_and_bears_no_tool():  # R-X19
+    rod = '<body name="tip_of_rod"><joint name="loose" axis="0 1 0"/><geom size="0.01"/></body>'
+    model = model_of(PLAIN.replace('<body name="rod"', f'{rod}<body name="rod"').replace("</mujoco>", MOTORS))
+    chain = draft_chain(model)
+    assert [model.joint(k).name for k in chain.joints] == ["turn", "bend"]
+    on_rod = model_of(PLAIN.replace("</mujoco>", '<actuator><motor joint="turn"/></actuator></mujoco>'))
+    assert draft_tool(on_rod, at_zero(on_rod), draft_chain(on_rod), ()).name != "rod"
 
 
 def test_an_arm_on_what_moves_freely_begins_there_and_that_is_told():  # R-X19

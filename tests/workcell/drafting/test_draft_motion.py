@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 
 from kit.worlds.file_cells import ARM, files_of
+from onika.store.shipped import shipped
 from onika.workcell.composed.robot_model import robot_model
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.drafting.draft_motion import beside_home, lowest_point, seconds_between, straight_line
@@ -35,7 +38,21 @@ def test_a_posture_in_which_the_robot_meets_itself_is_not_taken():  # R-X19
 
 def test_an_arm_of_few_joints_goes_no_straight_line():  # R-X19
     arm = facts()
-    assert straight_line(MODEL, arm, (arm,), arm.home) == ()
+    assert straight_line(MODEL, arm, (arm,), arm.home) == ((), 0.0)
+
+
+def test_a_straight_line_takes_as_long_as_the_joints_need_for_it():  # R-X19
+    model = (shipped() / "boxes" / "robot" / "puma560.xml").read_text()
+    text = "VERSION 2.0\nFILE puma.xml\nARM arm\nTOOL flange\nSPEED 2 2 2 2 2 2\nEOF\n"
+    sources = SourceTexts(files_of({"robot/puma.xml": model, "robot/puma.robot": text}))
+    (arm,) = robot_model(sources, sources.robots["puma"], []).joints
+    compiled = mujoco.MjModel.from_xml_string(model)
+    away = beside_home(compiled, arm, ())
+    line, quick_s = straight_line(compiled, arm, (arm,), away)
+    assert (len(line), quick_s) == (9, 3.0)
+    slow = replace(arm, speed=arm.speed / 40.0)
+    again, slow_s = straight_line(compiled, slow, (slow,), away)
+    assert again == line and slow_s > quick_s
 
 
 def test_a_robot_that_reaches_below_its_foot_is_measured():  # R-X19

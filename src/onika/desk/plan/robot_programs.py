@@ -24,7 +24,6 @@ ARM = "arm"
 
 _CONSTANTS = "NDOF SCREW LINK PARENT LOAD QMIN QMAX Q^_MAX TAUMAX BASE TOOL HOME ROBOT"
 _JOINT, _CARTESIAN, _LEVEL, _PLACE = "Joint", "Cartesian", "Level", "Place"  # types of the syntax
-_LINE_S = 3.0
 _GRIP_S = 1.5
 _DRIVE_S = 6.0
 _WITHIN_S = 2.0
@@ -130,7 +129,8 @@ class RobotPrograms:
             yield self._icon(f"{self.name}_home", f"{_JOINT} object", "desk.robot_home", (draft.home, seconds))
             yield self._icon(f"{self.name}_away", f"{_JOINT} object", "desk.robot_away", (draft.away, seconds))
         if draft.line:
-            yield self._icon(f"{self.name}_line", f"{_CARTESIAN} object", "desk.robot_line", (draft.line, (_LINE_S,)))
+            line = (draft.line, (draft.line_s,))
+            yield self._icon(f"{self.name}_line", f"{_CARTESIAN} object", "desk.robot_line", line)
         if draft.opening:
             yield self._icon(f"{self.name}_open", f"{_LEVEL} object", "desk.robot_opened", ((draft.opening[0],),))
             yield self._icon(f"{self.name}_closed", f"{_LEVEL} object", "desk.robot_closed", ((draft.opening[1],),))

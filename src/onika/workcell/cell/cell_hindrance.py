@@ -9,7 +9,7 @@ from onika.laws.frames import Array
 from onika.model.world import WorldText
 from onika.words.reason import Reason
 from onika.workcell.cell.cell_contacts import DEEP_M
-from onika.workcell.cell.cell_thing import FREE, CellThing, called_arm, called_hand, rank, things_of
+from onika.workcell.cell.cell_thing import FREE, HAND, CellThing, called_arm, called_hand, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.gripping.tool_frame import ToolFrame
 from onika.workcell.plant import Plant
@@ -30,7 +30,7 @@ class CellHindrance:
         self._things = [*things_of(plant.model, world, arms)]
 
     def told(self, unit: JointUnit, held: str | None = None) -> tuple[Reason, ...]:
-        """What an arm, its hand, or the part in that (by its name), presses against that is not its own."""
+        """What an arm, its hand, or the part in that (by its name), presses against, be it the arm itself."""
         forces: dict[tuple[CellThing, CellThing], float] = {}
         if not self._has_forces:
             mujoco.mj_collision(self._plant.model, self._plant.data)
@@ -38,8 +38,10 @@ class CellHindrance:
         for at, (first, second) in enumerate(contact.geom.tolist()):
             pair = (self._things[first], self._things[second])
             is_own = [_is_own(thing, unit.side, held) for thing in pair]
-            if sum(is_own) == 1 and (self._has_forces or contact.dist[at] < -DEEP_M):
+            is_met = any(is_own) and (not all(is_own) or self._is_in_its_own_way(*pair))
+            if is_met and (self._has_forces or contact.dist[at] < -DEEP_M):
                 who, what = pair if is_own[0] else pair[::-1]
+                who, what = (max(pair, key=rank),) * 2 if all(is_own) else (who, what)
                 forces[who, what] = forces.get((who, what), 0.0) + self._force(at)
         felt = (pair for pair, force in forces.items() if force >= PRESSED_N or not self._has_forces)
         return tuple(self._text(unit, *pair) for pair in sorted(felt, key=lambda pair: (rank(pair[0]), rank(pair[1]))))
@@ -51,6 +53,11 @@ class CellHindrance:
         who = called(self._world, unit, is_alone=len(self._arms) == 1)
         return Reason.of("workcell.stands_at", who=who, x=x, y=y, z=z)
 
+    def _is_in_its_own_way(self, one: CellThing, other: CellThing) -> bool:
+        """Whether an arm stops itself there: neighbours reach into each other in many models, without any force."""
+        is_meant = FREE in (one.kind, other.kind) or one.kind == other.kind == HAND
+        return self._has_forces and not is_meant
+
     def _has_hand_name(self, unit: JointUnit) -> bool:
         return any(place.name == unit.side and place.hand_names for place in self._world.places)
 
@@ -60,6 +67,8 @@ class CellHindrance:
         return abs(float(force[0]))
 
     def _text(self, unit: JointUnit, who: CellThing, what: CellThing) -> Reason:
+        if who == what:
+            return Reason.of("workcell.meets_itself", who=who.text)
         if who.kind == FREE:
             hand = called_hand(self._world, unit, is_alone=len(self._arms) == 1)
             return Reason.of("workcell.carried_touches", what=who.text, hand=hand, other=what.text)

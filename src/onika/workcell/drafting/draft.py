@@ -26,7 +26,7 @@ from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mo
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.drafting.draft_base import AHEAD_M, BASE, DraftBase, draft_base
 from onika.workcell.drafting.draft_cameras import draft_cameras
-from onika.workcell.drafting.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
+from onika.workcell.drafting.draft_chain import MOVING, DraftChain, DraftTool, draft_chain, draft_tool, driven_joints
 from onika.workcell.drafting.draft_gripper import DraftHand, draft_hand
 from onika.workcell.drafting.draft_home import DraftHome, draft_home
 from onika.workcell.drafting.draft_jaw import between_jaws
@@ -73,7 +73,7 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
     if chain is None and base is not None:
         return _driving(model, base, bare, sources)
     if chain is None:
-        return RobotDraft(refusal=Reason.of("workcell.draft_no_joints"))
+        return RobotDraft(refusal=_nothing_driven(model))
     home = draft_home(model, chain, is_apart=file.endswith(_URDF))
     hand = draft_hand(model, chain, home.values)
     at_home = _data(model, chain, home.values)
@@ -90,6 +90,15 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
         return RobotDraft(refusal=faults[0].reason)
     complete = _complete(model, known, arm, (chain, tool, hand, home), faults, sources)
     return complete if base is None else _on_base(complete, base)
+
+
+def _nothing_driven(model: Any) -> Reason:
+    """Why there is no arm: nothing turns or slides, or nothing drives what does."""
+    moving = (joint for joint in range(model.njnt) if int(model.jnt_type[joint]) in MOVING)
+    loose = tuple(model.joint(joint).name for joint in moving if joint not in driven_joints(model))
+    if not loose:
+        return Reason.of("workcell.draft_no_joints")
+    return Reason.of("workcell.draft_none_driven", joints=loose, count=model.nu)
 
 
 def _driving(model: Any, base: DraftBase, bare: RobotText, sources: SourceTexts) -> RobotDraft:
@@ -132,7 +141,7 @@ def _complete(
     away = beside_home(model, arm, known.excluded)
     lowest = lowest_point(model, arm, (arm.home, away))
     floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
-    line = straight_line(model, arm, known.joints, away)
+    line, line_s = straight_line(model, arm, known.joints, away)
     urdf_speeds = known.robot.file.endswith(_URDF)
     gripper = known.grippers[0] if known.grippers else None
     notes = [*chain.notes, *(Reason.of("workcell.draft_fault", reason=fault.reason) for fault in faults)]
@@ -154,6 +163,7 @@ def _complete(
         away=tuple(away.tolist()),
         seconds=seconds_between(arm, away),
         line=line,
+        line_s=line_s,
         opening=_opening(gripper) if gripper else (),
         pictures=draft_pictures(model, chain.joints, (arm.home, away)),
     )

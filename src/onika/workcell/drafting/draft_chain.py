@@ -14,7 +14,8 @@ from onika.words.reason import Reason
 _FINGER = re.compile(r"grip|finger|jaw|knuckle|thumb", re.IGNORECASE)
 _TOOL = re.compile(r"tool|tcp|pinch|grasp|grip|attach|flange|ee\b|_ee|end.?eff|tip|hook", re.IGNORECASE)
 _POINT = re.compile(r"tcp|pinch|grasp|ee\b|_ee|end.?eff|tip", re.IGNORECASE)
-_MOVING = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
+MOVING = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
+"""Joints that arms consist of."""
 _FAR_M = 0.02  # a tool nearer to the last joint than this says nothing of a direction
 
 
@@ -46,16 +47,27 @@ def draft_chain(model: Any, taken: Sequence[int] = ()) -> DraftChain | None:
 
     taken   joints of a base, which are none of the arm on it
     """
-    driven = {int(of) for kind, of in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True) if not kind}
-    runs = [_usable(model, [joint for joint in run if joint not in taken], driven) for run in _runs(model)]
-    joints = max(runs, key=len, default=())
+    driven = driven_joints(model)
+    joints = max((_usable(model, run, driven - {*taken}) for run in _runs(model, driven)), key=len, default=())
     if not joints:
         return None
     first = int(model.jnt_bodyid[joints[0]])
     above = [body for body in _above(model, first) if model.body_jntnum[body]]
+    loose = tuple(
+        model.joint(joint).name
+        for body in reversed(above)
+        for joint in _joints(model, body)
+        if joint not in {*driven, *taken} and not _is_free(model, joint)
+    )
     notes = [Reason.of("workcell.draft_floats", body=model.body(above[-1]).name)] if _floats(model, above) else []
+    notes += [Reason.of("workcell.draft_loose", joints=loose)] if loose else []
     start = model.body(int(model.body_parentid[first])).name if above else ""
     return DraftChain(joints, int(model.jnt_bodyid[joints[-1]]), start, tuple(notes))
+
+
+def driven_joints(model: Any) -> set[int]:
+    """The joints at which an actuator stands."""
+    return {int(of) for kind, of in zip(model.actuator_trntype, model.actuator_trnid[:, 0], strict=True) if not kind}
 
 
 def below(model: Any, body: int) -> list[int]:
@@ -63,9 +75,14 @@ def below(model: Any, body: int) -> list[int]:
     return [other for other in range(1, model.nbody) if other == body or body in _above(model, other)]
 
 
+def _fixed_to(model: Any, body: int) -> list[int]:
+    """A body and all that moves with it as one piece."""
+    return [at for at in below(model, body) if int(model.body_weldid[at]) == int(model.body_weldid[body])]
+
+
 def draft_tool(model: Any, data: Any, chain: DraftChain, fingers: Sequence[int]) -> DraftTool:
     """The tool of a chain, with the data at home; `fingers` are the bodies that fingers move."""
-    there = [body for body in below(model, chain.last) if body not in fingers]
+    there = [body for body in _fixed_to(model, chain.last) if body not in fingers]
     sites = [k for k in range(model.nsite) if int(model.site_bodyid[k]) in there and model.site(k).name]
     site = next(_by_name(sites, {k: model.site(k).name for k in sites}), None)
     if site is not None:
@@ -95,35 +112,44 @@ def draft_tool(model: Any, data: Any, chain: DraftChain, fingers: Sequence[int])
     return DraftTool(name, tuple(offset.tolist()), approach, _nearest(across, usual, 1e-3)[-1], origin)
 
 
-def _runs(model: Any) -> Iterator[list[int]]:
-    """The joints of each branch of the tree, from where it begins to where it branches again."""
+def _runs(model: Any, driven: set[int]) -> Iterator[list[int]]:
+    """The moving bodies of each branch of the tree, from where it begins to where it branches again.
+
+    A rod that nothing drives, as one of a parallelogram, is no branch.
+    """
     moving = [body for body in range(1, model.nbody) if _is_moving(model, body)]
     bearer = {body: next((at for at in _above(model, body) if at in moving), 0) for body in moving}
+    led = {at for body in moving if driven & {*_joints(model, body)} for at in (body, *_above(model, body))}
     borne: Mapping[int, list[int]] = {
-        at: [body for body in moving if bearer[body] == at and not _is_finger(model, body)] for at in [0, *moving]
+        at: [body for body in moving if bearer[body] == at and body in led and not _is_finger(model, body)]
+        for at in [0, *moving]
     }
     for body in moving:
-        if bearer[body] and len(borne[bearer[body]]) == 1 and not _is_finger(model, body):
+        if bearer[body] and borne[bearer[body]] == [body]:
             continue  # it goes on a run that began before
         run, at = [body], body
         while len(borne[at]) == 1:
             at = borne[at][0]
             run.append(at)
-        yield [joint for part in run for joint in _joints(model, part)]
+        yield run
 
 
 def _usable(model: Any, run: Sequence[int], driven: set[int]) -> tuple[int, ...]:
-    """The joints of a run up to the first that nothing drives, without fingers at its end."""
-    count = next((k for k, joint in enumerate(run) if joint not in driven), len(run))
-    joints = list(run[:count])
-    while joints and _FINGER.search(model.joint(joints[-1]).name):
-        joints.pop()
-    return tuple(joints)
+    """The joints of the longest part of a run that is driven throughout, without fingers at its end."""
+    longest: list[int] = []
+    part: list[int] = []
+    for body in run:
+        joints = [*_joints(model, body)]
+        part = [*part, *joints] if driven.issuperset(joints) else []
+        longest = max(longest, part, key=len)
+    while longest and _FINGER.search(model.joint(longest[-1]).name):
+        longest.pop()
+    return tuple(longest)
 
 
 def _is_moving(model: Any, body: int) -> bool:
     kinds = [int(model.jnt_type[joint]) for joint in _joints(model, body)]
-    return bool(kinds) and all(kind in _MOVING for kind in kinds)
+    return bool(kinds) and all(kind in MOVING for kind in kinds)
 
 
 def _is_finger(model: Any, body: int) -> bool:
@@ -146,8 +172,11 @@ def _above(model: Any, body: int) -> list[int]:
 
 
 def _floats(model: Any, above: Sequence[int]) -> bool:
-    free = int(mujoco.mjtJoint.mjJNT_FREE)
-    return any(int(model.jnt_type[joint]) == free for body in above for joint in _joints(model, body))
+    return any(_is_free(model, joint) for body in above for joint in _joints(model, body))
+
+
+def _is_free(model: Any, joint: int) -> bool:
+    return int(model.jnt_type[joint]) == int(mujoco.mjtJoint.mjJNT_FREE)
 
 
 def _by_name(numbers: Sequence[int], names: Mapping[int, str]) -> Iterator[int]:
@@ -159,7 +188,7 @@ def _by_name(numbers: Sequence[int], names: Mapping[int, str]) -> Iterator[int]:
 def _way_of_fingers(model: Any, data: Any, fingers: Sequence[int]) -> Array:
     """The direction along which fingers move in the world: where one slides, else from one to the other."""
     joints = [joint for body in fingers for joint in _joints(model, body)]
-    slides = [joint for joint in joints if int(model.jnt_type[joint]) == _MOVING[1]]
+    slides = [joint for joint in joints if int(model.jnt_type[joint]) == MOVING[1]]
     if slides:
         return np.array(data.xaxis[slides[0]])
     if len(fingers) > 1:

@@ -23,6 +23,8 @@ _LINES_M = (0.06, 0.03)
 _POINTS = 12
 _JUMP = 0.2  # between two points of a straight line a joint turns no further (rad)
 _SHORTEST_S = 2.0
+_LINE_S, _SLOWEST_S = 3.0, 20.0  # how long a straight line takes, and may
+_HASTE = 2.5  # a motion of fifth order is faster than its mean by 1.875 in the middle, and joints are to have a reserve
 
 
 def beside_home(model: Any, facts: JointFacts, excluded: Sequence[tuple[str, str]]) -> Array:
@@ -45,21 +47,24 @@ def seconds_between(facts: JointFacts, away: Array) -> float:
     return max(_SHORTEST_S, float(np.ceil(4.0 * np.max(np.abs(away - facts.home) / facts.speed))))
 
 
-def straight_line(model: Any, facts: JointFacts, devices: Sequence[JointFacts], away: Array) -> tuple[float, ...]:
-    """The nine numbers of a pose to which the tool goes straight from there; empty: none was found.
+def straight_line(
+    model: Any, facts: JointFacts, devices: Sequence[JointFacts], away: Array
+) -> tuple[tuple[float, ...], float]:
+    """The nine numbers of a pose to which the tool goes straight from there, and the seconds; empty: none was found.
 
     The pose is that in a world whose middle is the middle of the model; `devices` stand at home.
     """
     if len(facts.joints) < LEAST_JOINTS:
-        return ()
+        return (), 0.0
     stand = chain.body_pose(at_home(model, devices), int(model.body(facts.start).id))
     constants = arm_constants({**facts.constants, "BASE": tuple(stand.ravel().tolist())})
     nine = reach.poses(constants, [away.tolist()])[0]
     for length, way in product(_LINES_M, _ways()):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
-        if _is_followed(reach.postures(constants, points, away.tolist()), away):
-            return tuple(np.round(points[-1], 6).tolist())
-    return ()
+        fastest = _fastest(reach.postures(constants, points, away.tolist()), away, facts.speed)
+        if fastest <= _SLOWEST_S:
+            return tuple(np.round(points[-1], 6).tolist()), max(_LINE_S, float(np.ceil(fastest)))
+    return (), 0.0
 
 
 def lowest_point(model: Any, facts: JointFacts, postures: Sequence[Array]) -> float:
@@ -89,13 +94,15 @@ def _shifted(nine: Array, way: Array, length: float) -> Array:
     return moved
 
 
-def _is_followed(postures: Sequence[Array | str], start: Array) -> bool:
-    before = start
+def _fastest(postures: Sequence[Array | str], start: Array, speed: Array) -> float:
+    """In how many seconds these points of a line are passed without haste; infinite: a joint would have to jump."""
+    before, most = start, 0.0
     for posture in postures:
         if isinstance(posture, str) or np.abs(posture - before).max() > _JUMP:
-            return False
+            return np.inf
+        most = max(most, float(np.max(np.abs(posture - before) / speed)))
         before = posture
-    return True
+    return _HASTE * _POINTS * most
 
 
 def _meets(model: Any, facts: JointFacts, values: Array, apart: set[frozenset[str]]) -> bool:
