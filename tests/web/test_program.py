@@ -14,7 +14,8 @@ from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.shipped import shipped
 from onika.store.site import Site
-from onika.web.program import EnvironmentOptions, EnvironmentProgram
+from onika.web.environment_options import EnvironmentOptions
+from onika.web.program import EnvironmentProgram
 from onika.web.server import bound
 
 pytestmark = pytest.mark.site

@@ -26,8 +26,9 @@ from onika.process import confinement
 from onika.store.shipped import shipped
 from onika.store.site import OWN, open_site
 from onika.web.access.certificate import server_context
+from onika.web.environment_options import EnvironmentOptions
 from onika.web.hub import Hub
-from onika.web.program import EnvironmentOptions, EnvironmentProgram
+from onika.web.program import EnvironmentProgram
 
 NICE = 5
 """The class itself comes before its seats."""

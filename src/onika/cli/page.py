@@ -21,8 +21,9 @@ from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
 from onika.web.access.certificate import fingerprint
 from onika.web.access.page_place import PageOptions, PagePlace, judged
+from onika.web.environment_options import EnvironmentOptions
 from onika.web.page_window import PageWindow
-from onika.web.program import EnvironmentOptions, EnvironmentProgram
+from onika.web.program import EnvironmentProgram
 from onika.web.server import bound
 from onika.words.fault import Fault
 from onika.words.name import TASK_NAME

@@ -5,7 +5,7 @@ import os
 import socket
 import time
 from collections.abc import Awaitable, Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -42,6 +42,7 @@ from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
 from onika.web.access.page_place import PagePlace
 from onika.web.app import PLAYER, application
+from onika.web.environment_options import EnvironmentOptions
 from onika.web.guarded_door import GuardedDoor
 from onika.web.hub import Hub
 from onika.web.page_door import KeyDoor, PageDoor
@@ -65,39 +66,6 @@ _NAME = "Onika"
 
 DoorOpening = Callable[[Environment, Hub], PageDoor]
 """Makes the door of an environment's page."""
-
-
-@dataclass(frozen=True, slots=True)
-class EnvironmentOptions:
-    """How an environment is to begin.
-
-    files           configurations to open
-    url, token      a runtime that runs already; empty: one of its own
-    stations        further runtimes, each with its name, address and token
-    is_connected    whether what is opened is connected at once
-    is_virtual      whether runtimes that are started here are simulators, whose time passes as on the wall
-    is_upper_only   whether the lower level is hidden in this session, whatever is preferred (G05)
-    """
-
-    files: tuple[str, ...] = ()
-    url: str = ""
-    token: str = ""
-    stations: tuple[tuple[str, str, str], ...] = ()
-    is_connected: bool = True
-    rtpus: tuple[str, ...] = ("rt0",)
-    with_fifo: bool = True
-    has_black_box: bool = True
-    is_virtual: bool = False
-    has_diary: bool = True
-    foresees: bool = True
-    """Whether what open applications would come to is foreseen while they are edited (E16)."""
-    is_upper_only: bool = False
-    may_repose: bool = False
-    """Whether it costs next to nothing, and its simulator rests, while nobody does anything and nothing runs (X25)."""
-    dictionaries: tuple[Path, ...] = ()
-    """The base directories whose dictionaries are open at first; none named: all of the search path."""
-    presentation: str = ""
-    """How icons are presented in this session; empty: as each browser likes (H04)."""
 
 
 class EnvironmentProgram:
