@@ -1,4 +1,5 @@
 import os
+import re
 import subprocess
 import sys
 
@@ -17,12 +18,10 @@ def began(monkeypatch):
         def __init__(self, site, options, state):
             seen.append((site, options, state))
 
-        async def run(self, listening, on_ready, place=None):
-            seen.append(listening.getsockname())
-            listening.close()
-            on_ready("http://127.0.0.1:1/?key=x")
+        async def run(self, opens):
+            seen.append(opens)
 
-    monkeypatch.setattr(page, "EnvironmentProgram", EnvironmentProgram)
+    monkeypatch.setattr("onika.web.program.EnvironmentProgram", EnvironmentProgram)
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     return seen
@@ -31,7 +30,8 @@ def began(monkeypatch):
 @pytest.mark.parametrize("words", [[], ["--port", "0"], ["page"], ["page", "jmoveC", "--no-browser"]])
 def test_onika_alone_opens_the_page(began, capsys, words):  # R-C20
     assert commands.carry_out(words) == 0
-    assert "Onika is open at http://127.0.0.1:1/?key=x" in capsys.readouterr().out
+    assert re.search(r"Onika is open at http://127\.0\.0\.1:\d+/\?key=\S+", capsys.readouterr().out)
+    assert len(began) == 2
 
 
 def test_options_reach_the_program(began, tmp_path):  # R-C20
@@ -79,23 +79,25 @@ def test_a_port_that_is_taken_is_told_where_it_was_asked_for(began, capsys):
     assert "expected a port that is free" in capsys.readouterr().err
 
 
-def test_another_free_port_is_taken_where_none_was_asked_for(began, monkeypatch):
+def test_another_free_port_is_taken_where_none_was_asked_for(began, monkeypatch, capsys):
     with bound(0) as taken:
         taken.listen()
         monkeypatch.setattr(page, "PORT", taken.getsockname()[1])
         assert commands.carry_out(["page"]) == 0
-        assert began[1][1] != taken.getsockname()[1]
+        assert f":{taken.getsockname()[1]}/" not in capsys.readouterr().out
 
 
-def test_a_browser_is_opened_where_there_is_a_screen(began, monkeypatch):
+def test_a_browser_is_opened_where_there_is_a_screen(began, monkeypatch, capsys):
     opened = []
     monkeypatch.setattr(page.webbrowser, "open", opened.append)
     commands.carry_out(["page", "--port", "0"])
     monkeypatch.setenv("DISPLAY", ":0")
     commands.carry_out(["page", "--port", "0", "--no-browser"])
     assert opened == []
+    capsys.readouterr()
     commands.carry_out(["page", "--port", "0"])
-    assert opened == ["http://127.0.0.1:1/?key=x"]
+    (address,) = opened
+    assert f"Onika is open at {address}" in capsys.readouterr().out
 
 
 def test_state_is_kept_where_the_system_says(began, monkeypatch, tmp_path):
@@ -196,3 +198,15 @@ def test_only_a_window_can_be_waited_for(began, capsys):
     with pytest.raises(SystemExit):
         commands.carry_out(["page", "--ends-with-window"])
     assert "--window" in capsys.readouterr().err
+
+
+LOADED = """
+import sys
+import onika.cli.page
+print([name for name in ("numpy", "onika.desk.environment.environment", "onika.web.program") if name in sys.modules])
+"""
+
+
+def test_an_address_is_told_before_the_environment_is_loaded():  # R-X08
+    done = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

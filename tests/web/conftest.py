@@ -43,18 +43,23 @@ class Served:
         self.login = Login(addresses(listening))
         self.hub = Hub(self.sitting.environment, Nothing())
         self.meshes = MeshFolder(folder / "state")
-        self._app = application(self.login, self.hub, static, self.meshes)
+        self._static = static
         self._listening = listening
         self._context = None
         self._beside = ()
         self._ready = threading.Event()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._run()))
 
+    def _application(self, hub):
+        return application(self.login, hub, self._static, self.meshes)
+
     async def _run(self):
         self._loop = asyncio.get_running_loop()
         self._end = asyncio.Event()
         beside = [self._end.wait(), *(coroutine() for coroutine in self._beside)]
-        await serve(self._app, self._listening, beside, self._ready.set, self._context)
+        hub = self._loop.create_future()
+        hub.set_result(self.hub)
+        await serve(self._application(hub), self._listening, beside, self._ready.set, self._context)
 
     def __enter__(self):
         self._thread.start()
@@ -77,10 +82,12 @@ class ServedToOthers(Served):
             self.file.put(user)
         place = PagePlace("127.0.0.1", 0, server_context(*certificate), certificate[0], self.file.path, ("localhost",))
         self.door = GuardedDoor(place, self._listening, lambda _address: None, self.sitting.environment, self.hub)
-        self._app = application(self.door.entrance, self.hub, static, self.meshes)
         self._context, self._beside = place.context, (self.door.keep,)
         self.address = self.address.replace("127.0.0.1", "localhost")
         self.trusted = ssl.create_default_context(cafile=certificate[0])
+
+    def _application(self, hub):
+        return application(self.door.entrance, hub, self._static, self.meshes, self.door.ways)
 
     def trail(self):
         """What was written down: who did what, and what came of it."""

@@ -15,6 +15,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.shipped import shipped
 from onika.store.site import Site
 from onika.web.environment_options import EnvironmentOptions
+from onika.web.page_front import PageFront
 from onika.web.program import EnvironmentProgram
 from onika.web.server import bound
 
@@ -28,7 +29,8 @@ class Running:
         self.base = BaseDirectory(folder / "base")
         self.base.save_task(RmodText(Task("a", "a", outvar=("Q",), frequency=1.0)))
         site = Site((self.base,), shipped() / "prefs", folder)
-        self._program = EnvironmentProgram(site, EnvironmentOptions(files, is_connected=False), folder / "state")
+        self._state = folder / "state"
+        self._program = EnvironmentProgram(site, EnvironmentOptions(files, is_connected=False), self._state)
         self.addresses = []
         self._told = threading.Condition()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._run()))
@@ -36,7 +38,7 @@ class Running:
     async def _run(self):
         self._loop, self._task = asyncio.get_running_loop(), asyncio.current_task()
         with contextlib.suppress(asyncio.CancelledError):
-            await self._program.run(bound(0), self._tell)
+            await PageFront(bound(0), self._tell, self._state).run(lambda: self._program)
 
     def _tell(self, address):
         with self._told:

@@ -1,9 +1,10 @@
+import asyncio
 import http.client
 import socket
 
 import pytest
 
-from onika.web.server import addresses, bound
+from onika.web.server import addresses, bound, until_first_ends
 
 
 def test_only_this_machine_reaches_the_port():  # R-X11
@@ -34,3 +35,25 @@ def test_what_runs_beside_ends_the_server(served):
     served.__exit__()
     with pytest.raises(OSError):
         http.client.HTTPConnection(served.address, timeout=1).request("GET", "/")
+
+
+def test_the_first_that_ends_ends_the_others_and_they_may_finish():
+    seen = []
+
+    async def long():
+        try:
+            await asyncio.Event().wait()
+        finally:
+            await asyncio.sleep(0)
+            seen.append("finished")
+
+    asyncio.run(until_first_ends([long(), asyncio.sleep(0)]))
+    assert seen == ["finished"]
+
+
+def test_what_one_of_them_raises_is_raised():
+    async def wrong():
+        raise ValueError("as it was")
+
+    with pytest.raises(ValueError, match="as it was"):
+        asyncio.run(until_first_ends([asyncio.Event().wait(), wrong()]))

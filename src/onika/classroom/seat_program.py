@@ -23,12 +23,14 @@ from onika.classroom.seat_rights import SeatRights
 from onika.desk.environment.environment import Environment
 from onika.files.state.state_directory import make_own, state_directory
 from onika.process import confinement
+from onika.store.mesh_folder import MeshFolder
 from onika.store.shipped import shipped
 from onika.store.site import OWN, open_site
 from onika.web.access.certificate import server_context
 from onika.web.environment_options import EnvironmentOptions
 from onika.web.hub import Hub
 from onika.web.program import EnvironmentProgram
+from onika.web.served_door import ServedDoor
 
 NICE = 5
 """The class itself comes before its seats."""
@@ -83,19 +85,21 @@ def keep_seat(settings: SeatSettings, listening: socket.socket, channel: socket.
         is_upper_only=settings.is_upper_only,
         may_repose=True,
     )
-    program = EnvironmentProgram(site, options, state_directory(os.environ))
+    state = state_directory(os.environ)
+    program = EnvironmentProgram(site, options, state)
     entrance = SeatEntrance(settings.names, listening.getsockname()[1], settings.learner, is_secure=context is not None)
     rights = SeatRights(may_write_code=settings.may_write_code)
     own = Path(os.environ["HOME"]) / OWN
 
-    def opens(environment: Environment, hub: Hub) -> SeatDoor:
+    def opens(environment: Environment, hub: Hub) -> ServedDoor:
         def joins() -> asyncio.Task[Channel]:
             joining = asyncio.open_connection(sock=channel, limit=messages.LONGEST)
             return asyncio.ensure_future(joining)
 
-        return SeatDoor(entrance, rights, settings.folder, own, environment, hub, joins, context)
+        door = SeatDoor(entrance, rights, settings.folder, own, environment, hub, joins, context)
+        return ServedDoor(door, hub, listening, MeshFolder(state))
 
-    asyncio.run(program.run(listening, lambda _address: None, opens=opens))
+    asyncio.run(program.run(opens))
 
 
 def readable(materials: tuple[Path, ...]) -> tuple[Path, ...]:

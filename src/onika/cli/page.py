@@ -10,25 +10,31 @@ import webbrowser
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import add_dictionaries, chosen_dictionaries, site_here
-from onika.desk.environment.reconcile.station_names import HERE
 from onika.desk.environment.state.settings import PRESENTATIONS
 from onika.files.state.state_directory import state_directory
 from onika.link.starting.runtime_address import address_of
 from onika.link.token import read_token
+from onika.store.mesh_folder import MeshFolder
 from onika.web.access.certificate import fingerprint
 from onika.web.access.page_place import PageOptions, PagePlace, judged
 from onika.web.environment_options import EnvironmentOptions
+from onika.web.page_front import PageFront
 from onika.web.page_window import PageWindow
-from onika.web.program import EnvironmentProgram
 from onika.web.server import bound
 from onika.words.fault import Fault
 from onika.words.name import TASK_NAME
 from onika.words.reason import NOTHING, Reason, reason_of
 from onika.words.system_error import system_reason
+
+if TYPE_CHECKING:  # what is to be loaded later
+    from onika.desk.environment.environment import Environment
+    from onika.web.hub import Hub
+    from onika.web.program import EnvironmentProgram
 
 PORT = 8420
 PROFILE = "browser"
@@ -110,7 +116,6 @@ def carry_out(given: argparse.Namespace) -> int:
         presentation=given.presentation,
     )
     state = state_directory(os.environ)
-    program = EnvironmentProgram(site, options, state)
     shows = not given.no_browser and has_screen()
     answers: list[str] = []
 
@@ -121,8 +126,30 @@ def carry_out(given: argparse.Namespace) -> int:
     def closed() -> None:
         _closed(has_come=len(answers) > 1, ends=given.ends_with_window)
 
-    asyncio.run(program.run(listening, tell if place is None else partial(_tell_others, place), place))
+    def program() -> "EnvironmentProgram":
+        from onika.web.program import EnvironmentProgram  # two thirds of the time to a page are spent on loading it
+
+        return EnvironmentProgram(site, options, state)
+
+    if place is None:
+        asyncio.run(PageFront(listening, tell, state).run(program))
+    else:
+        _serve_others(program(), place, listening, MeshFolder(state))
     return 0
+
+
+def _serve_others(
+    program: "EnvironmentProgram", place: PagePlace, listening: socket.socket, meshes: MeshFolder
+) -> None:
+    """Serve the page to users who sign in."""
+    from onika.web.guarded_door import GuardedDoor
+    from onika.web.served_door import ServedDoor
+
+    def opens(environment: "Environment", hub: "Hub") -> ServedDoor:
+        door = GuardedDoor(place, listening, partial(_tell_others, place), environment, hub)
+        return ServedDoor(door, hub, listening, meshes)
+
+    asyncio.run(program.run(opens))
 
 
 def _contradiction(given: argparse.Namespace, tokens: Mapping[str, str]) -> Reason:
@@ -172,6 +199,8 @@ def _listening(given: argparse.Namespace, place: PagePlace | None) -> socket.soc
 
 def station(text: str) -> tuple[str, str]:
     """A station and the address of its runtime, as a word of a command line."""
+    from onika.desk.environment.reconcile.station_names import HERE  # with it the model of the environment
+
     name, equals, url = text.partition("=")
     try:
         if not equals or not TASK_NAME.match(name) or name == HERE:

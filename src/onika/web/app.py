@@ -4,26 +4,30 @@ import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.types import Message
 from starlette.websockets import WebSocket
 
 from onika.store.mesh_folder import MeshFolder
 from onika.web.access.entrance import Entrance, Visitor
 from onika.web.access.sign_in import SignIn
 from onika.web.headers import StrictHeaders
-from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.mesh_route import mesh_route
 from onika.web.pace import Pace
 from onika.web.packed_files import PackedFiles
 from onika.web.refused_request import refused
-from onika.web.sign_in_routes import asked, sign_in_routes
+from onika.web.sign_in_routes import asked
 from onika.words.reason import Reason
+
+if TYPE_CHECKING:  # loads the environment, for which a page that is asked for does not wait
+    from onika.web.hub import Hub
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
@@ -35,13 +39,14 @@ _NOT_ALLOWED = 1008
 
 def application(
     entrance: Entrance,
-    hub: Hub,
+    hub: "asyncio.Future[Hub]",
     static: Path = STATIC,
     meshes: MeshFolder | None = None,
     ways: Sequence[Route] = (),
 ) -> Starlette:
     """The application; nothing but a refusal is told to whoever was not let in. Worlds are drawn of `meshes`.
 
+    hub     what a browser waits for once it has the page
     ways    what else its door has
     """
 
@@ -69,8 +74,6 @@ def application(
 
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
     routes += [mesh_route(entrance, meshes), *ways]
-    if isinstance(entrance, SignIn):
-        routes += sign_in_routes(entrance, hub.end)
     if (static / "assets").is_dir():
         routes.append(Mount("/assets", PackedFiles(directory=static / "assets")))
     return Starlette(
@@ -92,8 +95,14 @@ def _by_key(request: Request, login: Login) -> Response:
     return response
 
 
-async def _converse(socket: WebSocket, hub: Hub, visitor: Visitor) -> None:
+async def _converse(socket: WebSocket, coming: "asyncio.Future[Hub]", visitor: Visitor) -> None:
     """Until the browser leaves, or its session ends; what it sends that is no act is refused like any other."""
+    heard = asyncio.create_task(socket.receive())
+    await asyncio.wait((coming, heard), return_when=asyncio.FIRST_COMPLETED)
+    if heard.done() and _has_left(heard.result()):
+        return
+    await asyncio.wait((coming,))
+    hub = coming.result()
     client = hub.come(visitor)
     pace = Pace()
 
@@ -102,9 +111,11 @@ async def _converse(socket: WebSocket, hub: Hub, visitor: Visitor) -> None:
             await socket.send_text((await client.outbox.next()).decode())
 
     async def take() -> None:
-        while (message := await socket.receive())["type"] != "websocket.disconnect":
+        message = await heard
+        while not _has_left(message):
             hub.take(client, message.get("text") or message.get("bytes") or "")
             await asyncio.sleep(pace.wait_s(monotonic()))
+            message = await socket.receive()
 
     taking, sending = asyncio.create_task(take()), asyncio.create_task(send())
     ending = asyncio.create_task(client.ended.wait())
@@ -118,6 +129,10 @@ async def _converse(socket: WebSocket, hub: Hub, visitor: Visitor) -> None:
         hub.leave(client)
     if taking.done():
         taking.result()
+
+
+def _has_left(message: Message) -> bool:
+    return str(message["type"]) == "websocket.disconnect"
 
 
 async def _nothing_there(request: Request, _exception: Exception) -> Response:

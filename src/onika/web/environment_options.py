@@ -1,5 +1,6 @@
 """How an environment is to begin."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,3 +36,12 @@ class EnvironmentOptions:
     """The base directories whose dictionaries are open at first; none named: all of the search path."""
     presentation: str = ""
     """How icons are presented in this session; empty: as each browser likes (H04)."""
+
+    def settings(self, surroundings: Mapping[str, str]) -> Mapping[str, str]:
+        """What the system says of this session in its variables, and what was asked for when it was begun."""
+        wanted: dict[str, str] = {}
+        if self.is_upper_only:
+            wanted["ONIKA_LOWER"] = "no"
+        if self.presentation:
+            wanted["ONIKA_PRESENTATION"] = self.presentation
+        return {**surroundings, **wanted}

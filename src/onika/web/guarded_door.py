@@ -15,8 +15,9 @@ from onika.web.access.page_trail import PageTrail
 from onika.web.access.page_users import PageUserFile
 from onika.web.access.sign_in import SignIn
 from onika.web.hub import Hub
+from onika.web.sign_in_routes import sign_in_routes
 from onika.wire import act, page
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _LOOK_S = 1.0
 """Between two looks at who is still a user."""
@@ -26,8 +27,6 @@ TRAIL = "page.log"
 
 class GuardedDoor:
     """Lets in the users of a place; raises OSError where nothing can be written down of what they do."""
-
-    ways = ()
 
     def __init__(
         self,
@@ -46,6 +45,7 @@ class GuardedDoor:
         users = PageUserFile(place.users)
         users.look()
         self.entrance = SignIn(place.names, self._port, users, self._trail)
+        self.ways = sign_in_routes(self.entrance, hub.end)
         hub.denials.append(self._trail.denied)
         environment.observers.append(lambda command, by: partial(self._acted, command, by))
 
@@ -74,7 +74,7 @@ class GuardedDoor:
     def _acted(self, command: act.AnyAct, by: str, given: ActAnswer) -> None:
         visitor = self._hub.visitor(by)
         if visitor is not None:
-            self._trail.acted(visitor, command, given)
+            self._trail.acted(visitor, command, NOTHING if given.no is None else given.no.reason)
 
 
 def _complaint(environment: Environment) -> Callable[[Reason], None]:

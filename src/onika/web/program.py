@@ -2,12 +2,12 @@
 
 import asyncio
 import os
-import socket
 import time
-from collections.abc import Awaitable, Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any, Protocol
 
 from onika.desk.environment import initial_model, preferences as preferring, refresh
 from onika.desk.environment.diary import Diary
@@ -34,20 +34,15 @@ from onika.desk.environment.stations import Stations
 from onika.desk.environment.world_channel import WorldChannel
 from onika.fabric.phone_book import PhoneBook
 from onika.store.live_path import LivePath
-from onika.store.mesh_folder import MeshFolder
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.lock_file import LockFile
 from onika.store.remote.object_cache import ObjectCache, cache_directory
 from onika.store.remote.remote_libraries import RemoteLibraries
 from onika.store.site import Site
-from onika.web.access.page_place import PagePlace
-from onika.web.app import PLAYER, application
+from onika.web.app import PLAYER
 from onika.web.environment_options import EnvironmentOptions
-from onika.web.guarded_door import GuardedDoor
 from onika.web.hub import Hub
-from onika.web.page_door import KeyDoor, PageDoor
 from onika.web.repose import Repose
-from onika.web.server import serve
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason_with_place
@@ -64,8 +59,20 @@ _STALE_S = 1.0
 _NAME = "Onika"
 
 
-DoorOpening = Callable[[Environment, Hub], PageDoor]
-"""Makes the door of an environment's page."""
+class OpenPage(Protocol):
+    """The page of an environment, which can be asked for."""
+
+    async def serve(self, beside: Iterable[Coroutine[Any, Any, object]]) -> None:
+        """Until Ctrl-C, or until one of what runs beside ends."""
+        ...
+
+    def close(self) -> None:
+        """Let nobody in any more."""
+        ...
+
+
+PageOpening = Callable[[Environment, Hub], OpenPage]
+"""Opens the page of an environment; raises OSError where it cannot be opened."""
 
 
 class EnvironmentProgram:
@@ -78,14 +85,8 @@ class EnvironmentProgram:
         self._state = state
         self._pause: Callable[[float], Awaitable[None]] = asyncio.sleep
 
-    async def run(
-        self,
-        listening: socket.socket,
-        on_ready: Callable[[str], None],
-        place: PagePlace | None = None,
-        opens: DoorOpening | None = None,
-    ) -> None:
-        """Until Ctrl-C; `on_ready` is told each address that lets one browser in; `opens` makes another door."""
+    async def run(self, opens: PageOpening) -> None:
+        """Until Ctrl-C, with a page that `opens` opens."""
         loop = asyncio.get_running_loop()
 
         def post(do: Callable[[], None]) -> None:
@@ -123,11 +124,13 @@ class EnvironmentProgram:
         )
         stations = Stations(launching, post, time.monotonic)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
-        model, says = initial_model.opened(self._site, self._state, self._settings(), self._options.dictionaries)
+        model, says = initial_model.opened(
+            self._site, self._state, self._options.settings(os.environ), self._options.dictionaries
+        )
         environment = Environment(model, HANDLERS, surroundings, WorldChannel(stations, self._site))
         hub = Hub(environment, stations)
         hub.remember(says)
-        door = (opens or _opening(listening, on_ready, place))(environment, hub)
+        opened = opens(environment, hub)
         environment.followers.append(PuzzleLedger(self._state, environment.say).follow)
         repose = Repose(stations, time.monotonic)
         environment.observers.append(repose.begun)
@@ -144,15 +147,12 @@ class EnvironmentProgram:
             self._keep(environment, kept, autosave),
             self._judge(environment),
             self._foresee(environment, forecaster),
-            door.keep(),
             *((repose.keep(lambda: environment.model),) if self._options.may_repose else ()),
         )
         try:
-            app = application(door.entrance, hub, meshes=MeshFolder(self._state), ways=door.ways)
-            await serve(app, listening, beside, door.ready, door.context)
+            await opened.serve(beside)
         finally:
-            listening.close()
-            door.close()
+            opened.close()
             if forecaster is not None:
                 forecaster.close()
             stations.end()
@@ -171,15 +171,6 @@ class EnvironmentProgram:
             return None
         access = LibraryAccess(ObjectCache(cache_directory(os.environ)), self._state)
         return LibraryServices(worker, RemoteLibraries(LockFile(self._site.own), access), self._path)
-
-    def _settings(self) -> Mapping[str, str]:
-        """What the system says of this session, and what was asked for when it was begun."""
-        wanted: dict[str, str] = {}
-        if self._options.is_upper_only:
-            wanted["ONIKA_LOWER"] = "no"
-        if self._options.presentation:
-            wanted["ONIKA_PRESENTATION"] = self._options.presentation
-        return {**os.environ, **wanted}
 
     def _leave(
         self, environment: Environment, surroundings: Services, kept: Recovery | None, autosave: Autosave
@@ -292,10 +283,3 @@ async def _finished(carry_out: Callable[[Sequence[UnsavedChange]], Reason], chan
     except asyncio.CancelledError:
         await asyncio.wait((writing,))
         raise
-
-
-def _opening(listening: socket.socket, on_ready: Callable[[str], None], place: PagePlace | None) -> DoorOpening:
-    """The door for this machine, or that of a place."""
-    if place is None:
-        return lambda _environment, _hub: KeyDoor(listening, on_ready)
-    return lambda environment, hub: GuardedDoor(place, listening, on_ready, environment, hub)

@@ -9,10 +9,9 @@ from onika.desk.environment.replay.replay_control import ReplayControl
 from onika.desk.environment.replay.session_player import SessionPlayer
 from onika.store.mesh_folder import MeshFolder
 from onika.web.access.entrance import Visitor
-from onika.web.app import application
 from onika.web.hub import Hub
 from onika.web.page_door import KeyDoor
-from onika.web.server import serve
+from onika.web.served_door import ServedDoor
 from onika.wire import act, page
 from onika.words.reason import Reason
 
@@ -42,14 +41,13 @@ class ReplayProgram:
         """Until Ctrl-C; `on_ready` is told each address that lets one browser in."""
         hub = Hub(self._player.environment, NoValues(), may=_refusal)
         hub.remember(self._player.says)
-        door = KeyDoor(listening, on_ready)
         self._control.begin(self._player)
+        meshes = MeshFolder(self._player.place.state)
+        opened = ServedDoor(KeyDoor(listening, on_ready), hub, listening, meshes)
         try:
-            app = application(door.entrance, hub, meshes=MeshFolder(self._player.place.state))
-            await serve(app, listening, (self._play(), door.keep()), door.ready, door.context)
+            await opened.serve((self._play(),))
         finally:
-            listening.close()
-            door.close()
+            opened.close()
 
     async def _play(self) -> None:
         """Carry out what is due."""

@@ -3,7 +3,7 @@
 import asyncio
 import socket
 import ssl
-from collections.abc import Callable, Coroutine, Iterable
+from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import Any
 
 import uvicorn
@@ -71,12 +71,34 @@ async def serve(
         server.should_exit = True
         await serving
     finally:
-        for other in others:
-            other.cancel()
-        await asyncio.wait(others)
-    for other in others:
-        if not other.cancelled():
-            other.result()
+        await _cancelled(others)
+    _raise_first(others)
+
+
+async def until_first_ends(coroutines: Iterable[Coroutine[Any, Any, object]]) -> None:
+    """Run all until one of them ends; the others are cancelled then, and have ended when this returns.
+
+    Raises what one of them raised.
+    """
+    tasks = [asyncio.ensure_future(coroutine) for coroutine in coroutines]
+    try:
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        await _cancelled(tasks)
+    _raise_first(tasks)
+
+
+async def _cancelled(tasks: Sequence["asyncio.Task[object]"]) -> None:
+    for task in tasks:
+        task.cancel()
+    await asyncio.wait(tasks)
+
+
+def _raise_first(tasks: Iterable["asyncio.Task[object]"]) -> None:
+    """Raise what the first of these tasks, which have all ended, has raised; nothing where none has."""
+    for task in tasks:
+        if not task.cancelled():
+            task.result()
 
 
 def _protocols(server: uvicorn.Server) -> Callable[[], asyncio.Protocol]:

@@ -1,5 +1,3 @@
-from onika.desk.environment.environment import ActAnswer
-from onika.desk.environment.outcome.outcome import No
 from onika.link.caller import Role
 from onika.web.access.entrance import Visitor
 from onika.web.access.page_trail import PageTrail
@@ -42,9 +40,9 @@ def test_each_entry_and_each_that_is_refused_has_a_line():  # R-F10, R-X12
 def test_what_is_done_has_a_line_and_looking_has_none():  # R-X12
     def do(trail):
         for command in (act.Watch(("a/Q",)), act.Scene("boxes"), act.Note("select"), act.SampleVariables(("a/Q",))):
-            trail.acted(ANN, command, ActAnswer())
-        trail.acted(ANN, act.Turn("c1", ("pd", "robot"), True), ActAnswer())
-        trail.acted(ANN, act.Stop(), ActAnswer(no=No(Reason.of("run.not_linked"))))
+            trail.acted(ANN, command, NOTHING)
+        trail.acted(ANN, act.Turn("c1", ("pd", "robot"), True), NOTHING)
+        trail.acted(ANN, act.Stop(), Reason.of("run.not_linked"))
 
     told = [(what, about.get("about"), about["result"]) for what, about in lines(do)]
     assert told == [("Turn", "doc=c1 tasks=pd,robot", "done"), ("Stop", None, "refused:run.not_linked")]
@@ -52,10 +50,10 @@ def test_what_is_done_has_a_line_and_looking_has_none():  # R-X12
 
 def test_no_secret_and_no_text_gets_there():  # R-F10
     def do(trail):
-        trail.acted(ANN, act.Connect("c1", "wss://ann:secret@x", "secret"), ActAnswer())
-        trail.acted(ANN, act.BrowseLibrary("https://x", "ann", "secret"), ActAnswer())
-        trail.acted(ANN, act.Answer("c1", "t", "secret"), ActAnswer())
-        trail.acted(ANN, act.WriteText("t", "code", "secret", "s"), ActAnswer())
+        trail.acted(ANN, act.Connect("c1", "wss://ann:secret@x", "secret"), NOTHING)
+        trail.acted(ANN, act.BrowseLibrary("https://x", "ann", "secret"), NOTHING)
+        trail.acted(ANN, act.Answer("c1", "t", "secret"), NOTHING)
+        trail.acted(ANN, act.WriteText("t", "code", "secret", "s"), NOTHING)
 
     assert len(lines(do)) == 4
     assert "secret" not in str(lines(do))
@@ -66,7 +64,7 @@ def test_of_the_pushes_of_a_pad_only_the_first_and_the_last_have_a_line():
 
     def do(trail):
         for is_held in (False, True, True, True, False, False):
-            trail.acted(ANN, act.Push(axes, is_held), ActAnswer())
+            trail.acted(ANN, act.Push(axes, is_held), NOTHING)
 
     assert len(lines(do)) == 2
 

@@ -6,7 +6,6 @@ Looking leaves no line. No password, token or text ever comes here.
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
-from onika.desk.environment.environment import ActAnswer
 from onika.web.access.act_rights import WATCHING
 from onika.web.access.entrance import Visitor
 from onika.wire import act
@@ -52,11 +51,11 @@ class PageTrail:
         """A session is over."""
         self._note("SignOut", visitor, True, result=why)
 
-    def acted(self, visitor: Visitor, command: act.AnyAct, given: ActAnswer) -> None:
-        """An act has its answer."""
+    def acted(self, visitor: Visitor, command: act.AnyAct, refusal: Reason) -> None:
+        """An act has its answer; an empty `refusal`: it was done."""
         if type(command) in _QUIET or (isinstance(command, act.Push) and not self._is_other(visitor, command)):
             return
-        result = "done" if given.no is None else f"refused:{given.no.reason.key}"
+        result = f"refused:{refusal.key}" if refusal else "done"
         weighs = isinstance(command, act.Stop | act.Reset)
         self._note(type(command).__name__, visitor, weighs, about=_words(command), result=result)
 
