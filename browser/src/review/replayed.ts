@@ -3,6 +3,7 @@ import type { ReplayView } from '../api.gen'
 import { goTo, show } from '../act/documents.svelte'
 import { desk } from '../link/desk.svelte'
 import { canvas, pick } from '../state/canvas.svelte'
+import { look } from '../state/look.svelte'
 import { closeDialog, openDialog, type DialogName } from '../state/dialogs.svelte'
 import { pickSteps, workspace } from '../state/workspace.svelte'
 
@@ -23,12 +24,16 @@ const numbersOf = (id: string): number[] => [...id.matchAll(/\/(\d+)/g)].map((ma
 export function follow(replay: ReplayView): void {
   const { event = '', object = '', id = '', associated_id: associatedId = '', window = '' } = replay
   const doc = [id, associatedId].map((text) => DOCUMENT.exec(text)?.[1] ?? '').find((name) => name in opened())
-  if (doc) show(doc)
+  if (doc && canShow(doc)) show(doc)
   if (event === 'select_icon' || event === 'select_icons' || event === 'select_group') select(object, id, window)
-  else if (event === 'show_level' && (object === 'tasks' || object === 'applications')) goTo(object)
+  else if (event === 'show_level' && (object === 'applications' || (object === 'tasks' && !look.isUpperOnly)))
+    goTo(object)
   else if (event === 'open_view' && ALONE.has(object)) openDialog(object as DialogName)
   else if (event === 'close_view') closeDialog()
 }
+
+/** What lies at a level that is hidden here is done, and not shown. */
+const canShow = (doc: string): boolean => !look.isUpperOnly || doc in desk.tree.applications
 
 const opened = (): Record<string, unknown> => ({ ...desk.tree.documents, ...desk.tree.applications })
 

@@ -162,6 +162,7 @@ export const enStrip = {
   'world.reset': 'Reset the view',
   'world.loading': 'Building the workcell…',
   'world.failed': 'This browser cannot draw in three dimensions: {why}',
+  'world.ofSession': 'How the workcell moved is not in the log of a session: a recording of the run has it.',
   'world.none': 'The workcell {name} is not there.',
   'world.close': 'Close the workcell',
   'world.touch': 'What a hand may touch',

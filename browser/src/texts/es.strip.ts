@@ -167,6 +167,8 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
   'world.reset': 'Vista inicial',
   'world.loading': 'Construyendo la célula…',
   'world.failed': 'Este navegador no puede dibujar en tres dimensiones: {why}',
+  'world.ofSession':
+    'Cómo se movió la célula no está en el registro de una sesión: lo tiene una grabación de la ejecución.',
   'world.none': 'La célula {name} no está.',
   'world.close': 'Cerrar la célula',
   'world.touch': 'Lo que puede tocar una mano',

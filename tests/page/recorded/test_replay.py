@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from ..person import Person
+from ..run_end import runs_to_its_end
 
 pytestmark = pytest.mark.page
 
@@ -64,3 +65,29 @@ def test_a_session_is_done_again_in_the_page_to_the_same_files(session, begin, l
         path: path.read_bytes() for path in rebuilt.rglob("*.conf")
     }
     assert name != "drawn"
+
+
+def test_a_session_with_a_run_says_what_its_log_does_not_hold_and_asks_for_no_level_that_is_hidden(
+    begin, new_page, excused
+):  # R-H08
+    program = begin("--upper")
+    page = new_page()
+    page.goto(program.address())
+    page.get_by_role("button", name="New application").first.click()
+    page.get_by_role("dialog").get_by_role("button", name="Begin", exact=True).click()
+    page.locator("#onikon-opengripC").dblclick()
+    page.get_by_role("button", name="Run Untitled").click()
+    runs_to_its_end(page)
+    excused.append("CONNECTION_REFUSED|WebSocket")
+    program.end()
+    (log,) = program.state.rglob("diary/*.log")
+    again = begin(str(log), "--speed=1000", command=("study", "replay"))
+    page = new_page()
+    page.goto(again.address())
+    bar = page.get_by_role("region", name="Replayed session")
+    bar.get_by_role("button", name="Play").click()
+    expect(bar.get_by_role("button", name="Step")).to_be_disabled(timeout=30_000)
+    expect(page.get_by_text("is not in the log of a session")).to_be_visible()
+    expect(page.get_by_text("Looking at it")).to_have_count(0)
+    expect(page.get_by_role("alertdialog", name="Refused")).to_have_count(0)
+    again.end()

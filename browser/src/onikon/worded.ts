@@ -1,5 +1,5 @@
-// What the help says among words alone, where it would speak of pictures, edges and colours that nobody sees (H04).
-import { isWordsOnly } from '../onikon/presentation'
+// What is said to beginners among words alone, where it would speak of pictures, edges and colours that nobody sees (H04).
+import { isWordsOnly } from './presentation'
 import type { TextKey } from '../texts/index.svelte'
 
 const AMONG_WORDS: Partial<Record<TextKey, TextKey>> = {
@@ -12,6 +12,10 @@ const AMONG_WORDS: Partial<Record<TextKey, TextKey>> = {
   'guide.holeSay': 'guideWords.holeSay',
   'guide.changeSay': 'guideWords.changeSay',
   'guide.inside': 'guideWords.inside',
+  'upper.first.title1': 'upper.firstWords.title1',
+  'upper.first.joinSay': 'upper.firstWords.joinSay',
+  'upper.first.fitSay': 'upper.firstWords.fitSay',
+  'upper.first.runSay': 'upper.firstWords.runSay',
   'tutorial.completeHow': 'tutorialWords.completeHow',
   'tutorial.jobHow': 'tutorialWords.jobHow',
   'tutorial.fill': 'tutorialWords.fill',
