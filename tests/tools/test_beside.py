@@ -1,4 +1,5 @@
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -32,6 +33,16 @@ def test_the_loop_comes_to_where_a_plain_loop_puts_the_joint():
     loop = Loop()
     loop.step(120)
     check({"steps": 120, "position": loop.position})
+
+
+def test_the_loop_in_c_comes_there_too():
+    from beside.loop import onika_c_blocks
+    from beside.loop.blocks import check
+    from beside.loop.onika_blocks import measured
+
+    if not any(map(shutil.which, ("cc", "gcc", "clang"))):
+        pytest.skip("no C compiler is installed")
+    check(measured(onika_c_blocks.MODULES)(120))
 
 
 def test_a_contestant_that_computes_something_else_takes_no_part():
@@ -145,5 +156,5 @@ def test_all_rows_of_our_own_are_measured():
     ran = subprocess.run(words, env=os.environ | {"PYTHONPATH": search}, capture_output=True, text=True, check=True)
     tables = {part.partition("\n")[0]: part for part in ran.stdout.split("### ")[1:]}
     refused = [title for title, table in tables.items() if "Not measured" in table]
-    assert len(tables) == 8
+    assert len(tables) == 9
     assert refused == [] or (len(refused) == 1 and "SCHED_FIFO is not granted" in tables[refused[0]])

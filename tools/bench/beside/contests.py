@@ -24,6 +24,19 @@ CONTESTS = (
         check=check,
     ),
     Contest(
+        key="compiled",
+        title="The same loop, its modules in C through the same ports: one block's step",
+        unit="us",
+        ours=Entrant("Onika, modules in C", "beside.loop.onika_c_blocks"),
+        peers=(
+            Entrant("Onika, NumPy modules", "beside.loop.onika_blocks"),
+            Entrant("the functions in C alone, called by a loop in Python", "beside.loop.c_calls"),
+        ),
+        size=5000,
+        quick_size=300,
+        check=check,
+    ),
+    Contest(
         key="sweep",
         title="24 things to do, each done once: a sweep of 24 idle tasks, without logic of actions",
         unit="us",

@@ -4,7 +4,7 @@ As a run with `--virtual` does it: inputs are copied in from shared memory, `cyc
 times are counted. Only the worlds are missing, for the joint is a block here.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import perf_counter_ns
 
 import numpy as np
@@ -75,12 +75,12 @@ class Joint(Module):
 class Loop:
     """The four tasks, ON; `step` moves virtual time. `watch` is told whose code runs, as in a runtime."""
 
-    def __init__(self, watch: Callable[[str], None] | None = None) -> None:
+    def __init__(self, watch: Callable[[str], None] | None = None, modules: Mapping[str, str] = MODULES) -> None:
         self._house = Household()
         self._executive = Executive("", self._house.views, watch)
-        for rank, (name, source) in enumerate(MODULES.items()):
+        for rank, (name, source) in enumerate(modules.items()):
             self._executive.handle(self._house.spawn(name, source, 1000.0, rank), 0)
-        self._executive.handle(self._house.switch(on=MODULES), 0)
+        self._executive.handle(self._house.switch(on=modules), 0)
 
     def step(self, steps: int) -> None:
         """So many steps of 1 ms; every task has its cycle in each."""
@@ -98,9 +98,9 @@ class Loop:
         return found
 
 
-def main() -> None:
-    """The contestant."""
-    loop, done = Loop(CallWatchdog().watch), 0
+def measured(modules: Mapping[str, str]) -> Callable[[int], Figures]:
+    """A loop of these modules, and what so many steps more of it take."""
+    loop, done = Loop(CallWatchdog().watch, modules), 0
 
     def measure(steps: int) -> Figures:
         nonlocal done
@@ -110,7 +110,12 @@ def main() -> None:
         done += steps
         return {"figure": took / 1e3 / steps / BLOCKS, "steps": done, "position": loop.position}
 
-    serve(onika.__version__, measure)
+    return measure
+
+
+def main() -> None:
+    """The contestant."""
+    serve(onika.__version__, measured(MODULES))
 
 
 if __name__ == "__main__":

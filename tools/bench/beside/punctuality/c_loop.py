@@ -1,23 +1,15 @@
 """A loop in C that sleeps to the same grid with `clock_nanosleep` and TIMER_ABSTIME, scheduled as Onika's unit is."""
 
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
 
+from beside.compiler import compiler
 from beside.contestant import Figures, serve
 from beside.punctuality.lateness import PERIOD_NS, figures, is_fifo_granted
 from onika.host.processes.realtime_scheduling import PRIORITY
 
 SOURCE = Path(__file__).with_name("loop.c")
-
-
-def compiler() -> str:
-    """The C compiler; raises FileNotFoundError where there is none."""
-    found = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
-    if found is None:
-        raise FileNotFoundError("no C compiler is installed (cc, gcc or clang)")
-    return found
 
 
 def main() -> None:
