@@ -143,6 +143,39 @@ def test_the_button_brings_the_tool_to_rest():  # R-K07
     assert bench.get("speed") == 0.0
 
 
+def limited(twist, cycles=100, x=0.5, **local):
+    """The speeds that a tool may have, cycle by cycle, which follows them."""
+    bench = bench_of("twistlimit", **local)
+    pose = START.copy()
+    pose[0, 3], speeds = x, []
+    bench["X_MEZ"] = pose
+    bench.on()
+    for _ in range(cycles):
+        bench["X_MEZ"], bench["V_WISH"] = pose, twist
+        speeds.append(bench.cycle()["V_REF"].copy())
+        pose[:3, 3] += speeds[-1][:3] / 100.0
+    return bench, np.array(speeds), pose
+
+
+def test_the_speed_of_a_tool_rises_evenly_and_is_none_while_the_button_is_pressed():  # R-K07, R-F05
+    bench, speeds, _ = limited([0.1, 0, 0, 0, 0, -0.5], 30)
+    assert np.abs(np.diff(speeds[:, 0])).max() <= 0.01 + 1e-12 and np.abs(np.diff(speeds[:, 5])).max() <= 0.05 + 1e-12
+    assert speeds[-1] == pytest.approx([0.1, 0, 0, 0, 0, -0.5]) and bench.get("speed") == pytest.approx(0.1)
+    bench["BUTTONS"] = 1
+    assert bench.cycle(11)["V_REF"] == pytest.approx(np.zeros(6))
+
+
+def test_a_tool_comes_to_rest_at_the_walls_of_its_box_and_may_come_back_from_outside():  # R-K07, R-F05
+    _, speeds, pose = limited([0.2, 0, 0, 0, 0, 0], 300, RISE=0.5, HIGH="0.6 2 2")
+    assert pose[0, 3] == pytest.approx(0.6, abs=1e-3) and speeds[-1][0] == pytest.approx(0.0, abs=1e-3)
+    assert limited([0.2, 0, 0, 0, 0, 0], x=0.7, HIGH="0.6 2 2")[2][0, 3] == pytest.approx(0.7)
+    assert limited([-0.2, 0, 0, 0, 0, 0], x=0.7, HIGH="0.6 2 2")[2][0, 3] < 0.6
+
+
+def test_a_wish_that_is_no_number_is_no_speed():  # R-K07
+    assert limited([NAN, float("inf"), 0, NAN, 0, 0], 20)[1] == pytest.approx(np.zeros((20, 6)))
+
+
 def test_a_button_ends_a_job_once_it_has_been_pressed_for_a_while():  # R-K07
     bench = bench_of("button", SETTLE=0.05).on()
     for pressed in [0, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1]:
