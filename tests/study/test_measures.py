@@ -137,3 +137,10 @@ def test_the_parts_of_the_time_add_up_whatever_happens(events):  # R-H02
     assert min(of.selection_s, of.insertion_s, of.check_s, of.run_s, of.other_s, of.building_s) >= -1e-6
     assert of.selections <= of.all_selections
     assert of.selections + of.unselected == of.insertions
+
+
+def test_times_are_those_that_the_log_writes_and_no_noise_of_their_size():  # R-H02
+    text = LogText().start().new().select(0.065).insert(0.143).run(1.0, 0.2).quit().text
+    figures, (selection,) = measured(text)
+    assert (selection.seconds, figures.insertion_s) == (0.065, 0.143)
+    assert (figures.check_s, figures.completed_run_s) == (1.0, 0.2)

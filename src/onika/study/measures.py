@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import fmean, stdev
 
-from onika.study.log import LogEntry
+from onika.study.log import LogEntry, elapsed_s
 from onika.study.session import RUN, TRY_NEW, TRY_RUN, StudyTask, is_end
 
 PAUSE_S = 15.0
@@ -106,7 +106,7 @@ class _Meter:
 
     def follow(self, before: LogEntry, entry: LogEntry) -> None:
         """Time passes from one entry to the next."""
-        seconds = entry.at_s - before.at_s
+        seconds = elapsed_s(before.at_s, entry.at_s)
         if before.event == "Quit_Onika" or entry.event == "Start_Onika":
             return  # nobody was at it
         if self.is_running:
@@ -206,7 +206,11 @@ def _measures(task: StudyTask, meter: _Meter) -> TaskMeasures:
     insertion_s = spent.get("insertion", 0.0) + spent.get("unselected", 0.0)
     insertions = counts.get("insertions", 0)
     runs = [attempt for attempt in task.attempts if attempt.is_run]
-    completed = [attempt.end_s - attempt.at_s for attempt in runs if attempt.is_completed and attempt.end_s is not None]
+    completed = [
+        elapsed_s(attempt.at_s, attempt.end_s)
+        for attempt in runs
+        if attempt.is_completed and attempt.end_s is not None
+    ]
     all_s = sum(spent.values()) if task.success else math.nan
     return TaskMeasures(
         elapsed_s=all_s if task.success and task.success.end_s is not None else math.nan,

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from onika.study.compared import ComparedFigure
 from onika.study.folder import Study
+from onika.study.log import elapsed_s
 from onika.study.measure_names import COMPARED
 from onika.study.measures import TaskMeasures
 from onika.study.questionnaire import SCALES
@@ -68,7 +69,8 @@ def _timelines(subjects: Sequence[Subject]) -> Iterator[Sequence[object]]:
         entries = subject.task.entries if subject.task else ()
         for before, entry in pairwise((*entries[:1], *entries)):
             words = (entry.event, entry.object, entry.id, entry.associated, entry.associated_id, entry.window)
-            yield subject.name, entry.at_s - before.at_s, entry.at_s - entries[0].at_s, *words, entry.line
+            after_s, at_s = elapsed_s(before.at_s, entry.at_s), elapsed_s(entries[0].at_s, entry.at_s)
+            yield subject.name, after_s, at_s, *words, entry.line
 
 
 def _groups(compared: Sequence[ComparedFigure]) -> Iterator[Sequence[object]]:
