@@ -225,6 +225,19 @@ def test_broken_assumptions_are_told():  # R-H03
     assert "study.unequal_spreads" in reasons(compare({"a": narrow, "b": broad}))
 
 
+def test_what_cannot_be_computed_is_not_recommended():  # R-H03
+    flat, broad = (5.0,) * 8, tuple(float(i * 7 % 41) for i in range(8))
+    told = reasons(compare({"a": flat, "b": broad}))
+    assert "study.no_welch" in told and "study.unequal_without_welch" in told
+    assert "study.unequal_spreads" not in told
+
+
+def test_two_values_say_nothing_of_how_far_a_group_spreads():  # R-H03
+    comparison = compare({"a": (5.0, 6.0), "b": (1.0, 9.0)})
+    assert math.isnan(comparison.spreads.p)
+    assert reasons(comparison) == []
+
+
 VALUES = st.lists(st.floats(-1e6, 1e6) | st.sampled_from((0.0, 1.0, math.nan)), max_size=6)
 
 

@@ -117,8 +117,8 @@ def compare(values: Mapping[str, Sequence[float]]) -> Comparison:
         return Comparison(groups, ranks=ranks, doubts=tuple(doubts))
     within = sum(map(len, samples)) - len(samples)
     variance = Significance(*_tested(lambda: stats.f_oneway(*samples)), len(samples) - 1, within)
-    spreads = Significance(*_tested(lambda: stats.levene(*samples, center="median")), len(samples) - 1, within)
-    doubts += _assumption_doubts(groups, spreads)
+    spreads = _spreads(samples, within)
+    doubts += _assumption_doubts(groups, spreads, has_welch=not any(map(is_flat, samples)))
     return Comparison(
         groups=groups,
         variance=variance,
@@ -192,12 +192,20 @@ def _welch(samples: Sequence["np.ndarray[Any, Any]"], doubts: list[Reason]) -> S
     return Significance(statistic, p, len(samples) - 1, (len(samples) ** 2 - 1) / (3.0 * rest))
 
 
-def _assumption_doubts(groups: Sequence[GroupSummary], spreads: Significance) -> Iterator[Reason]:
+def _spreads(samples: Sequence["np.ndarray[Any, Any]"], within: int) -> Significance:
+    """Whether variances differ; values that all lie equally far from the middle of their group, as two do, cannot say."""
+    if all(is_flat(np.abs(sample - np.median(sample))) for sample in samples):
+        return Significance()
+    return Significance(*_tested(lambda: stats.levene(*samples, center="median")), len(samples) - 1, within)
+
+
+def _assumption_doubts(groups: Sequence[GroupSummary], spreads: Significance, *, has_welch: bool) -> Iterator[Reason]:
     for group in groups:
         if group.normal_p < ALPHA:
             yield Reason.of("study.not_normal", group=group.name, p=100.0 * group.normal_p)
     if spreads.p < ALPHA:
-        yield Reason.of("study.unequal_spreads", p=100.0 * spreads.p)
+        key = "study.unequal_spreads" if has_welch else "study.unequal_without_welch"
+        yield Reason.of(key, p=100.0 * spreads.p)
 
 
 def _pairs(tested: Mapping[str, Sequence[float]]) -> Iterator[PairComparison]:

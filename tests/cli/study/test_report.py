@@ -23,7 +23,7 @@ def test_what_could_not_be_read_is_told_and_the_rest_reported(tmp_path, capsys):
     (tmp_path / "p3.log").write_text("garbage\n" + assembly(5.0))
     assert main(["study", "report", str(tmp_path)]) == 1
     said = capsys.readouterr()
-    assert "p3.log:1: expected 7 columns, found 1" in said.err
+    assert "p3.log:1: expected 7 columns, parted by tabs, found 1" in said.err
     assert "no comparison" in said.out
     assert "p3" in (tmp_path / "report" / "report.html").read_text()
     assert main(["study", "report", str(tmp_path)]) == 1  # the report of before is no part of the study

@@ -13,7 +13,7 @@ def in_spanish(reason):
 
 def test_the_page_says_what_is_wrong_compares_and_shows_every_subject(study):  # R-H02, R-H03
     text = page(study, compared(study.subjects), str, "en")
-    assert "w3.log:30: expected 7 columns, found 6; instead: the line is left out" in text
+    assert "w3.log:30: expected 7 columns, parted by tabs, found 6; instead: the line is left out" in text
     assert "&lt;x&gt; has one subject" in text
     assert "<x>" not in text
     assert text.count(">analysis of variance</th>") == 2  # deletions and attempts are all equal
