@@ -193,7 +193,7 @@ def _welch(samples: Sequence["np.ndarray[Any, Any]"], doubts: list[Reason]) -> S
 
 
 def _spreads(samples: Sequence["np.ndarray[Any, Any]"], within: int) -> Significance:
-    """Whether variances differ; values that all lie equally far from the middle of their group, as two do, cannot say."""
+    """Whether variances differ; values that lie equally far from the middle, as two of a group do, cannot say."""
     if all(is_flat(np.abs(sample - np.median(sample))) for sample in samples):
         return Significance()
     return Significance(*_tested(lambda: stats.levene(*samples, center="median")), len(samples) - 1, within)

@@ -207,9 +207,7 @@ def _measures(task: StudyTask, meter: _Meter) -> TaskMeasures:
     insertions = counts.get("insertions", 0)
     runs = [attempt for attempt in task.attempts if attempt.is_run]
     completed = [
-        elapsed_s(attempt.at_s, attempt.end_s)
-        for attempt in runs
-        if attempt.is_completed and attempt.end_s is not None
+        elapsed_s(attempt.at_s, attempt.end_s) for attempt in runs if attempt.is_completed and attempt.end_s is not None
     ]
     all_s = sum(spent.values()) if task.success else math.nan
     return TaskMeasures(

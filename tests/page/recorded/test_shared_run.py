@@ -120,6 +120,45 @@ def test_the_workcell_is_drawn_and_variables_are_plotted(opened):  # R-X21: 3-D 
     expect(page.locator(".plot canvas")).to_be_visible()
 
 
+COUNTED = """draws => {
+  window.pictures = 0
+  const get = HTMLCanvasElement.prototype.getContext
+  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+    if (!kind.startsWith('webgl')) return get.call(this, kind, ...more)
+    window.pictures += kind === 'webgl2'
+    return draws ? get.call(this, kind, ...more) : null
+  }
+}"""
+"""Counts how often somebody begins to draw in three dimensions, which the browser can or not."""
+
+
+def plays_for_seconds(page):
+    """Play until the third second."""
+    page.keyboard.press("Space")
+    expect(time_line(page)).to_have_attribute("aria-valuenow", re.compile(r"^([3-9]|\d\d)"), timeout=30_000)
+
+
+def test_the_workcell_is_built_once_however_long_it_plays(opened):  # R-X21
+    page = opened(WHOLE)
+    page.evaluate(COUNTED, True)
+    page.get_by_role("button", name="Show the workcell").click()
+    expect(page.locator("canvas").last).to_be_visible()
+    plays_for_seconds(page)
+    assert page.evaluate("window.pictures") == 1
+
+
+def test_a_browser_that_cannot_draw_in_three_dimensions_is_told_of_and_tries_once(opened, excused):  # R-X21
+    excused.append("WebGL")
+    page = opened(WHOLE)
+    page.evaluate(COUNTED, False)
+    page.get_by_role("button", name="Show the workcell").click()
+    expect(page.get_by_text("This browser cannot draw in three dimensions")).to_be_visible()
+    tries = page.evaluate("window.pictures")
+    plays_for_seconds(page)
+    expect(page.get_by_text("This browser cannot draw in three dimensions")).to_be_visible()
+    assert page.evaluate("window.pictures") == tries
+
+
 def test_a_cut_recording_plays_to_its_end_and_says_so(opened):  # R-X21: bad input
     page = opened(CUT)
     expect(page.get_by_text(re.compile("Cut short: it ends in the middle"))).to_be_visible()
