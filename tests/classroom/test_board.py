@@ -57,6 +57,11 @@ def test_nobody_is_stuck_whose_newest_hand_in_holds_what_is_expected(number, hol
     assert row(learner, pages=1, idle_s=STUCK_S + 1).is_stuck is is_stuck
 
 
+def test_nobody_is_stuck_while_his_runtime_starts():  # R-X25
+    assert not row(pages=1, idle_s=STUCK_S + 1, run="starting").is_stuck
+    assert row(pages=1, idle_s=STUCK_S + 1, run="running").is_stuck
+
+
 def test_of_a_seat_that_is_not_there_nobody_looks_at_a_page():
     assert row(state="silent", pages=3).pages == 0
 

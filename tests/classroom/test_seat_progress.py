@@ -1,3 +1,5 @@
+from types import SimpleNamespace
+
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
@@ -5,6 +7,7 @@ from onika.classroom.seat_progress import SeatProgress
 from onika.desk.environment.environment import ActAnswer
 from onika.model.task import Task
 from onika.wire import act
+from onika.wire.view import RunView
 from onika.words.reason import Reason
 
 
@@ -72,3 +75,10 @@ def test_what_the_door_refuses_counts_too_and_who_comes_back_was_not_stuck(follo
     assert followed.standing.refusal.key == "class.learner_frozen"
     followed.progress.came()
     assert followed.standing.idle_s == 0.0
+
+
+@pytest.mark.parametrize(("state", "says"), [("beginning", "starting"), ("running", "running")])
+def test_a_run_whose_runtime_starts_says_so(state, says):  # R-X25
+    run = SimpleNamespace(view=RunView("a1", "go_home", 1, state=state), is_over=False)
+    model = SimpleNamespace(applications={}, run=run)
+    assert SeatProgress(lambda: model, lambda: 0.0).standing(1, 0).run == says

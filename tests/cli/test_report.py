@@ -36,6 +36,15 @@ def test_who_sits_there_is_asked(film, tmp_path, monkeypatch, answer, code):  # 
     assert (tmp_path / "film-report.zip").exists() == (code == 0)
 
 
+def test_who_sits_there_may_read_its_texts_before(film, tmp_path, monkeypatch, capsys):  # R-X21: report
+    answers = iter(("v", "n"))
+    monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("builtins.input", lambda _question: next(answers))
+    assert main(["report", str(film)]) == 1
+    assert "the hand met the table" in capsys.readouterr().out
+    assert not (tmp_path / "film-report.zip").exists()
+
+
 def test_the_newest_black_box_is_what_is_reported(film, tmp_path, capsys):  # R-X21: report
     assert main(["report", "--yes"]) == 2
     assert "no black box yet" in capsys.readouterr().err

@@ -165,6 +165,7 @@ export const enHolding = {
   'class.state.frozen': 'frozen',
   'class.state.taken': 'you have it',
   'class.icons': '{n} icon|{n} icons',
+  'class.run.starting': 'starts',
   'class.run.running': 'runs',
   'class.run.stopped': 'stands',
   'class.run.completed': 'ran to its end',

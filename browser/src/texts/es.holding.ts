@@ -167,6 +167,7 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'class.state.frozen': 'congelado',
   'class.state.taken': 'lo tiene usted',
   'class.icons': '{n} icono|{n} iconos',
+  'class.run.starting': 'arranca',
   'class.run.running': 'en marcha',
   'class.run.stopped': 'detenido',
   'class.run.completed': 'llegó al final',

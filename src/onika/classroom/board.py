@@ -9,7 +9,7 @@ from onika.wire.class_board import ClassBoard, ExpectationRow, SeatRow
 from onika.words.reason import NOTHING
 
 STUCK_S = 120.0
-"""Without a step for so long while his page is open, a learner is said to be stuck; not one who has done it all."""
+"""Without a step for so long while his page is open, a learner is said to be stuck."""
 
 
 def board(room: ClassRoom, address: str) -> ClassBoard:
@@ -32,7 +32,7 @@ def _row(learner: Learner, seat: AttendedSeat) -> SeatRow:
         icons=at.icons,
         steps=at.steps,
         idle_s=at.idle_s,
-        is_stuck=is_there and at.pages > 0 and at.idle_s > STUCK_S and learner.state == "works" and not learner.is_done,
+        is_stuck=is_there and at.pages > 0 and at.idle_s > STUCK_S and not _has_excuse(learner, at.run),
         run=at.run,
         done=at.done,
         of=at.of,
@@ -51,3 +51,8 @@ def _row(learner: Learner, seat: AttendedSeat) -> SeatRow:
         lessons=at.lessons,
         lessons_of=at.lessons_of,
     )
+
+
+def _has_excuse(learner: Learner, run: str) -> bool:
+    """Whether he has done it all, may not do anything, or waits for a runtime that starts: twenty take their time."""
+    return learner.is_done or learner.state != "works" or run == "starting"

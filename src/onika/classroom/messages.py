@@ -52,7 +52,7 @@ class SeatStanding(News, frozen=True):
 
     steps        acts that changed something since the process began
     idle_s       since the last step forward: such an act, or an action that was done
-    run          `running`, `stopped`, `completed`, `aborted`; empty: nothing was run
+    run          `starting` while its runtime does, `running`, `stopped`, `completed`, `aborted`; empty: nothing was run
     done, of     actions of that run
     course       of the help, where its learner is in one; empty: in none
     lessons, lessons_of  how many of its lessons are done

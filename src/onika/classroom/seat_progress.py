@@ -106,6 +106,8 @@ class SeatProgress:
 def _state(run: Run) -> str:
     if run.is_over:
         return "completed" if run.view.is_completed else "aborted"
+    if run.view.state == "beginning":
+        return "starting"
     return "stopped" if any(flow.state == "stopped" for flow in run.view.flows.values()) else "running"
 
 

@@ -14,6 +14,7 @@ from onika.record.reader import UNREADABLE, complaint
 from onika.words.reason import Reason
 
 _KB = 1000
+_TEXTS = (".txt", ".appl")
 
 
 def purpose() -> Reason:
@@ -51,7 +52,7 @@ def carry_out(given: argparse.Namespace) -> int:
     finally:
         reading.subject.review.close()
     _show(out, parts)
-    if not given.yes and not _is_wanted():
+    if not given.yes and not _is_wanted(parts):
         print(say(Reason.of("cli.report_unwritten")), file=sys.stderr)
         return 1
     try:
@@ -70,11 +71,14 @@ def _show(out: Path, parts: tuple[ReportPart, ...]) -> None:
     print(say(Reason.of("cli.report_clean")))
 
 
-def _is_wanted() -> bool:
-    """Whether who sits at the terminal wants it; nobody there is no."""
+def _is_wanted(parts: tuple[ReportPart, ...]) -> bool:
+    """Whether who sits at the terminal wants it, who may read its texts before; nobody there is no."""
     if not sys.stdin.isatty():
         return False
-    answer = input(say(Reason.of("cli.report_question"))).strip().lower()
+    while (answer := input(say(Reason.of("cli.report_question"))).strip().lower()) == "v":
+        for part in parts:
+            if part.name.endswith(_TEXTS):
+                print(f"\n{part.name}\n\n{part.content.decode(errors='replace')}")
     return answer in say(Reason.of("cli.report_yes_words")).split()
 
 

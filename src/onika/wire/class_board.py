@@ -33,7 +33,7 @@ class SeatRow(Struct, frozen=True):
     """Since the last step forward."""
     is_stuck: bool
     run: str
-    """`running`, `stopped`, `completed`, `aborted`; empty: nothing was run."""
+    """`starting`, `running`, `stopped`, `completed`, `aborted`; empty: nothing was run."""
     done: int
     of: int
     why: Reason

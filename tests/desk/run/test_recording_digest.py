@@ -37,11 +37,21 @@ def test_it_tells_what_was_run_and_how_it_ended(tmp_path):  # R-X05
 
 def test_an_action_that_a_loop_repeats_is_counted_once_with_its_times(tmp_path):  # R-X05
     tape = taped(tmp_path)
+    tape.tell(2.0, event.Done(0, 1, 2.0))
     for at in (2.0, 3.0):
         tape.tell(at, event.Began(0, 0, 2, "one", at))
         tape.tell(at + 0.5, event.Done(0, 0, at + 0.5))
     tape.end(completed="no", cause="enough")
     assert "flow0: 2 of 2 actions done, some more than once, 4 times in all" in lines(tape)
+
+
+def test_an_action_that_was_left_when_the_run_was_aborted_is_not_done(tmp_path):  # R-X05
+    tape = taped(tmp_path)
+    tape.tell(2.5, event.Result(False, Reason.plain("enough"), 1, 2, 2.5, 0.1, {}, (), ""))
+    tape.end(completed="no", cause="enough")
+    output = lines(tape)
+    assert "flow0: 1 of 2 actions done" in output
+    assert any("2/2  two: left before its end" in line for line in output)
 
 
 def test_it_says_that_a_file_was_cut_short(tmp_path):  # R-X05

@@ -40,7 +40,7 @@ def test_the_flows_tell_when_each_action_was_carried_out(tape):  # R-X05
             (0, 0.0, 1.0),
             (1, 1.0, None),
         ]
-        assert flow.intervals[0] == Interval(0, "one", 0.0, 1.0)
+        assert flow.intervals[0] == Interval(0, "one", 0.0, 1.0, is_done=True)
         assert review.span_s == (0.0, 1.99)
         assert len(flow.actions) == 2
 

@@ -43,7 +43,7 @@ def black_box_line(held: BlackBoxSpan, *, is_by_hand: bool) -> Reason:
 def _flows(review: Review) -> Iterator[Reason]:
     """Of each flow how far it came, and its actions one by one."""
     for flow in review.flows if not review.run.is_by_hand else ():
-        ended = [interval.action for interval in flow.intervals if interval.end_s is not None]
+        ended = [interval.action for interval in flow.intervals if interval.is_done]
         done, count = len(set(ended)), len(flow.actions)
         if len(ended) == done:
             yield Reason.of("desk.digest_flow", flow=flow.subsystem, done=done, count=count)
@@ -53,8 +53,9 @@ def _flows(review: Review) -> Iterator[Reason]:
             end = Reason.of("desk.digest_not_ended")
             if interval.end_s is not None:
                 end = Reason.plain(f"{interval.end_s:9.3f} s")
+            is_left = interval.end_s is not None and not interval.is_done
             yield Reason.of(
-                "desk.digest_interval",
+                "desk.digest_interval_left" if is_left else "desk.digest_interval",
                 begin=f"{interval.begin_s:9.3f}",
                 end=end,
                 number=interval.action + 1,

@@ -27,12 +27,13 @@ from onika.words.reason import Reason
 
 @dataclass(frozen=True, slots=True)
 class Interval:
-    """An action that was carried out; the last one of a run cut short has no end."""
+    """An action that was carried out, to its end or until it was left; the last one of a run cut short has no end."""
 
     action: int
     name: str
     begin_s: float
     end_s: float | None
+    is_done: bool = False
 
 
 @dataclass(slots=True)
@@ -250,7 +251,7 @@ def _leave(flow: ReviewedFlow, at_s: float, action: int | None = None) -> None:
     """The action that is carried out has ended, if it is this one: done, or left for another one."""
     last = flow.intervals[-1] if flow.intervals else None
     if last is not None and last.end_s is None and action in (None, last.action):
-        flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s)
+        flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s, is_done=action is not None)
 
 
 def drawn(series: Series, parts: downsampled.Parts) -> list[DownsampledSeries]:
