@@ -14,6 +14,12 @@ def test_the_files_that_were_made_are_listed_with_what_to_do_next(tmp_path, caps
     assert advice == f"try it: onika check {tmp_path}; python -m pytest {paths[-1]}"
 
 
+def test_where_pytest_is_missing_it_is_said_how_it_comes(tmp_path, capsys, monkeypatch):  # R-K05
+    monkeypatch.setattr("onika.cli.new.find_spec", lambda _name: None)
+    assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 0
+    assert "python -m pip install pytest; python -m pytest" in capsys.readouterr().out
+
+
 def test_a_second_time_nothing_is_written_and_it_is_said_why(tmp_path, capsys):  # R-B08
     assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 0
     capsys.readouterr()

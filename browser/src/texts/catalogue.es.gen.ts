@@ -287,6 +287,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.new_kind": "qué se crea",
   "cli.new_name": "el nombre del módulo y de su primera tarea, o del huésped; de un robot su modelo, MJCF o URDF",
   "cli.new_next": "pruébelo: onika check {base}; python -m pytest {test}",
+  "cli.new_next_with_pytest": "pruébelo: onika check {base}; python -m pip install pytest; python -m pytest {test}",
   "cli.new_robot_name": "de un robot: cómo ha de llamarse (el nombre de su archivo)",
   "cli.new_robot_next": "pruébelo: onika check {base}; onika run {tour} --local {base} --virtual; en la página: onika page {tour} --local {base}",
   "cli.no_application": "se esperaba una aplicación, o --from con una grabación",

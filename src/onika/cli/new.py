@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 from onika.cli.language import say
@@ -41,7 +42,8 @@ def _from_template(given: argparse.Namespace) -> int:
     paths = create(given.name, given.base)
     for path in paths:
         print(path)
-    print(say(Reason.of("cli.new_next", base=str(given.base), test=str(paths[-1]))))
+    key = "cli.new_next" if find_spec("pytest") else "cli.new_next_with_pytest"
+    print(say(Reason.of(key, base=str(given.base), test=str(paths[-1]))))
     return 0
 
 
