@@ -43,13 +43,15 @@ ONIKONS = (
 
 
 class AppFixture(EnvironmentFixture):
-    """An environment with these icons in its dictionary."""
+    """An environment with these icons in its dictionary, which may have others before it."""
 
-    def __init__(self, folder: Path, onikons: Iterable[Onikon] = ONIKONS) -> None:
+    def __init__(
+        self, folder: Path, onikons: Iterable[Onikon] = ONIKONS, before: tuple[BaseDirectory, ...] = ()
+    ) -> None:
         base = BaseDirectory(folder)
         for onikon in onikons:
             base.save_onikon(onikon)
-        model, _ = opened(Site((base,), shipped() / "prefs", folder / "home"), None, {})
+        model, _ = opened(Site((*before, base), shipped() / "prefs", folder / "home"), None, {})
         super().__init__(folder, (), model)
 
     def begun(self, *icons: str, flows: int = 1, is_parallel: bool = False) -> str:

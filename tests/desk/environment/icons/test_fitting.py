@@ -4,6 +4,7 @@ from kit.desk.app_fixture import ONIKONS, AppFixture, onikon as made
 from onika.desk.environment.icons.fitting import fitting_behind, misfit, onikon
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow, Icon
+from onika.store.base_directory import BaseDirectory
 from onika.wire import act
 
 
@@ -31,6 +32,17 @@ def test_icons_that_the_application_uses_already_come_first(gallery):  # R-X01
     doc = gallery.begun("move", "there", "visit")
     no = gallery.no(act.InsertIcon(doc, "grip", "0", gallery.number(doc, "visit")))
     assert str(no.remedies[0].label) == "Use above triangle"
+
+
+def test_icons_of_a_dictionary_that_is_in_use_come_before_those_of_others(tmp_path):  # R-X01
+    far = BaseDirectory(tmp_path / "far")
+    far.save_onikon(made("follow", "Cartesian job", "along the hill"))
+    gallery = AppFixture(tmp_path / "near", before=(far,))
+    doc = gallery.begun("move", "there")
+    no = gallery.no(act.InsertIcon(doc, "spot", "0", gallery.number(doc, "there")))
+    assert [str(remedy.label) for remedy in no.remedies[:2]] == [
+        "First insert move on a straight line, then it", "First insert along the hill, then it",
+    ]  # fmt: skip
 
 
 def test_the_icon_of_a_name_is_that_of_the_dictionaries(gallery):

@@ -85,7 +85,7 @@ def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy
     number = before.number if before else 0
     fitting = fitting_behind(model, misfit.left, misfit.hardware)
     remedies = [*_in_its_place(model, opened, before, misfit.step, syntax)]
-    remedies += _use(model, opened, misfit, number, _likeliest(fitting, kind, opened, syntax))
+    remedies += _use(model, opened, misfit, number, _likeliest(model, fitting, kind, opened))
     if isinstance(before, Icon) and kind.is_target:
         remedies += _other_jobs(model, opened, before, kind, syntax)
     if fitting:
@@ -134,9 +134,9 @@ def _in_its_place(
         yield Remedy(label, act.ExchangeIcon(opened.id, before.number, step.onikon.name))
 
 
-def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, syntax: Syntax) -> list[Onikon]:
-    """Those of the role of what was meant first, those behind which it would fit, and those that are in use here."""
-    role = role_of(meant)
+def _likeliest(model: Model, fitting: list[Onikon], meant: IconType, opened: OpenApplication) -> list[Onikon]:
+    """Those of the role of what was meant first, those behind which it would fit, those in use here, and their like."""
+    syntax, role = syntax_of(model), role_of(meant)
     used = {
         step.onikon.name
         for _, flow in flows_by_path(opened.application)
@@ -144,11 +144,14 @@ def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, 
         if isinstance(step, Icon)
     }
 
-    def rank(onikon: Onikon) -> tuple[bool, bool, bool]:
+    dictionaries = [dictionary for dictionary in model.dictionaries if not used.isdisjoint(dictionary.onikons)]
+
+    def rank(onikon: Onikon) -> tuple[bool, bool, bool, bool]:
         return (
             role_of(syntax.acting(onikon.type)) != role,
             not _leads_to(onikon, meant, syntax),
             onikon.name not in used,
+            not any(onikon.name in dictionary.onikons for dictionary in dictionaries),
         )
 
     return sorted(fitting, key=rank)
