@@ -42,7 +42,7 @@ const own = (id: LessonId, isDone: (seen: Seen) => boolean): Lesson => ({
 const GRASP = 'try_to_grasp'
 
 export const COURSES: Readonly<Record<CourseId, readonly Lesson[]>> = {
-  first: LESSONS,
+  first: LESSONS.map((lesson) => ({ ...lesson, isDone: (seen) => isMine(seen) && lesson.isDone(seen) })),
   loops: [
     example('loopSee', 'wave_three', (seen) => cameRound(seen, 3)),
     own('twoActions', (seen) => jobs(seen) > 1 && !seen.view?.holes),

@@ -6,7 +6,7 @@ import { COURSE_IDS, COURSES, isOfPuzzles, type CourseId } from '../../src/help/
 import { advanced, type LessonId, type Seen } from '../../src/help/tutorial'
 import { en } from '../../src/texts/en'
 import { LOOKS, looped } from './lessonLooks'
-import { view, over, seen, named } from './seenProgram'
+import { MOVE, named, OPEN, over, seen, view } from './seenProgram'
 
 /** Whether this lesson, and none but it, is told by what is seen. */
 const isDone = (id: LessonId, view: ApplicationView, run: RunView | null = null): boolean =>
@@ -31,6 +31,14 @@ test.each(OF_ONES_OWN)('%s is not done by a program that is shipped, but by one 
     false,
   )
   expect(isDone(id, { ...program, path: '/own/mine.appl', base: '/own' }, run)).toBe(true)
+})
+
+test('no lesson of the tutorial is done by a program that is shipped', () => {
+  const shipped = { ...view({ 0: [OPEN, MOVE] }), path: '/shipped/assemble.appl', base: '/shipped' }
+  for (const { id, isDone } of COURSES.first) expect(isDone(seen(shipped, over())), id).toBe(false)
+  expect(
+    COURSES.first.find(({ id }) => id === 'complete')!.isDone(seen({ ...shipped, path: '', base: '' }, null)),
+  ).toBe(true)
 })
 
 test.each(WITH_LESSONS)('the program with which %s begins is not seen to work where it was changed', (course) => {
