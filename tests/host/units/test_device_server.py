@@ -131,6 +131,27 @@ def test_a_device_is_granted_to_one_writer_until_it_is_released(server):  # law 
     assert server.claim(3).epoch == 3
 
 
+def test_a_world_steps_on_while_another_robot_is_made_ready_and_a_stop_gets_through(server, monkeypatch):  # laws 16, 27
+    ready, stopped = threading.Event(), threading.Event()
+    server.open()
+    grant = server.claim()
+    monkeypatch.setattr(
+        MassWorld, "preparation", lambda world, name: ready.wait if name == "m1" else None, raising=False
+    )
+    former = MassWorld.stop
+    monkeypatch.setattr(MassWorld, "stop", lambda world: former(world) or stopped.set())
+    server.say(room.ClaimDevice("yard:m1", 2))
+    server.say(room.TakeModes())
+    time = server.state(grant)[0]
+    while server.state(grant)[0] < time + 0.05:
+        server.command(grant, 0.0)
+    server.say(room.StopAll())
+    assert stopped.wait(20.0)
+    ready.set()
+    words = [server.hear((room.Granted, room.ModesTaken)) for _ in range(2)]
+    assert [type(word) for word in words] == [room.Granted, room.ModesTaken]
+
+
 def test_a_dead_writer_is_fenced_and_its_devices_trip(server):  # law 17
     server.open()
     grant = server.claim()

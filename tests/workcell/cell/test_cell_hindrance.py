@@ -45,3 +45,9 @@ def test_an_arm_that_presses_against_itself_says_so_where_there_are_forces(devic
     post = '<geom type="box" size="0.02 0.1 0.05" pos="0.36 0 0.22"/><body name="lower"'
     world = FileWorld(changed("robot/elbow.xml", '<body name="lower"', post))
     assert held(world, device, (0.2, -1.4))[1] == told
+
+
+def test_an_arm_that_presses_against_its_own_foot_meets_itself():  # R-X19, R-X06
+    post = '<geom type="box" size="0.03 0.03 0.4" pos="0.15 0.25 0.4"/><body name="upper"'
+    world = FileWorld(changed("robot/elbow.xml", '<body name="upper"', post))
+    assert held(world, "elbow_left", (1.4, 0.0))[1] == ["elbow_left meets itself"]

@@ -9,6 +9,7 @@ from onika.laws import adept_one, puma560
 from onika.laws.filter import Derivative
 from onika.laws.textbook import serial_arm
 from onika.ring.device import DeviceOrder, DriveState
+from onika.workcell.composed import composition
 
 MS = 1_000_000
 
@@ -62,14 +63,37 @@ def test_the_arm_that_the_hand_brought_makes_room_for_the_one_that_is_claimed():
 
 def test_what_there_is_to_draw_is_worked_out_once_for_the_arms_that_stand_there(monkeypatch):  # R-X19, law 16
     world, compiled = claimed("arm_left"), []
-    former = world._compile
-    monkeypatch.setattr(world, "_compile", lambda *words, **more: compiled.append(more) or former(*words, **more))
+    note_what_is_compiled(world, compiled, monkeypatch)
     assert world.scene() == world.scene()
     world.release("arm_left", 1)
     arms = world.scene()
     world.claim("scara_left", 1)
     assert world.scene() == world.scene() != arms
     assert compiled == [{"is_drawn": True}, {"is_drawn": False}, {"is_drawn": True}]
+
+
+def note_what_is_compiled(world, compiled, monkeypatch):
+    former = world._composition._compiled_world
+    world._composition._models.clear()
+    monkeypatch.setattr(composition, "_LARGEST_KEPT", 0)  # as models with large meshes
+    monkeypatch.setattr(
+        world._composition, "_compiled_world", lambda *words, **more: compiled.append(more) or former(*words, **more)
+    )
+
+
+def test_what_another_arm_takes_is_worked_out_beside_and_then_it_stands_there_at_once(monkeypatch):  # R-X19, law 16
+    world, compiled = claimed("arm_left"), []
+    note_what_is_compiled(world, compiled, monkeypatch)
+    assert world.preparation("arm_left") is None and world.preparation("lamp") is None
+    prepare = world.preparation("scara_left")
+    before = world.fingerprint(), world.poses().tobytes()
+    prepare()
+    assert (world.fingerprint(), world.poses().tobytes()) == before
+    assert len(compiled) == 2
+    world.release("arm_left", 1)
+    world.claim("scara_left", 1)
+    assert world.scene() and world.preparation("scara_left") is None
+    assert len(compiled) == 2
 
 
 @pytest.mark.parametrize(

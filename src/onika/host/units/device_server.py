@@ -17,6 +17,7 @@ from onika.host.processes.realtime_scheduling import become_real_time
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.pose_stream import PoseStream, WorldPoses
 from onika.host.units.served_worlds import ServedWorlds
+from onika.host.units.waiting_orders import WaitingOrders
 from onika.host.units.world_registry import open_world
 from onika.host.units.world_sources import unpacked
 from onika.link.launcher import die_with_parent
@@ -228,6 +229,11 @@ Word = (
 )
 
 encode = msgpack.Encoder().encode
+_Question = (
+    OpenWorld | ClaimDevice | TouchPart | PutWorldBack | DescribeWorld | TakeDisplaced | TakeModes | TakeSnapshots
+)
+"""What is answered, in the order in which it was asked."""
+
 decode_order = msgpack.Decoder(Order).decode
 decode_word = msgpack.Decoder(Word).decode
 
@@ -241,6 +247,7 @@ class DeviceServer:
         self._zero = zero_ns
         self._worlds = ServedWorlds(open_world)
         self._posing: dict[str, PoseStream] = {}
+        self._waiting: WaitingOrders[tuple[Order, list[int]]] = WaitingOrders()
 
     def run(self) -> None:
         """Until the runtime is gone."""
@@ -274,10 +281,25 @@ class DeviceServer:
     def _take_orders(self) -> None:
         if self._post.is_waiting:
             self._post.flush()
+        while (waited := self._waiting.take()) is not None:
+            self._answer(*waited)
         while (received := self._post.receive()) is not None:
-            answer = self._carry_out(decode_order(received[0]), received[1])
-            if answer is not None:
-                self._post.send(encode(answer))
+            self._take(decode_order(received[0]), received[1])
+
+    def _take(self, order: Order, descriptors: list[int]) -> None:
+        """Carry an order out, or let it wait: another robot is made ready beside the loop, the worlds go on."""
+        work = self._worlds.preparation(order.device) if isinstance(order, ClaimDevice) and not self._waiting else None
+        if work is not None:
+            self._waiting.begin(work)
+        if work is not None or (self._waiting and isinstance(order, _Question)):
+            self._waiting.put((order, descriptors))
+        else:
+            self._answer(order, descriptors)
+
+    def _answer(self, order: Order, descriptors: list[int]) -> None:
+        answer = self._carry_out(order, descriptors)
+        if answer is not None:
+            self._post.send(encode(answer))
 
     def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
         match order:

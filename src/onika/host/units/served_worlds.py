@@ -41,6 +41,12 @@ class ServedWorlds:
         self._behind[name] = now - world.now_ns
         return self._buses[name].is_simulated
 
+    def preparation(self, device: str) -> Callable[[], object] | None:
+        """What takes long before `world:device` can be claimed, and may be done beside; None: nothing does."""
+        world, name = split(device)
+        preparation = getattr(self._buses[world].world, "preparation", None) if world in self._buses else None
+        return preparation(name) if preparation is not None else None
+
     def grant(self, device: str, epoch: int) -> DeviceGrant:
         """Claim `world:device` for the writer of this epoch; raises ValueError with the reason."""
         world, name = split(device)

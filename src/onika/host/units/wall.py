@@ -106,7 +106,7 @@ class WallDriver:
             self._open(world)
         self._epoch += 1
         try:
-            answer = self._ask(world, device_server.ClaimDevice(device, self._epoch))
+            answer = self._ask(world, device_server.ClaimDevice(device, self._epoch), _PATIENCE_S)
         except ValueError:  # granted late, it would be nobody's for ever
             if not self._devices.is_lost:
                 self._devices.send(world, device_server.FenceWriter(self._epoch))
@@ -357,9 +357,9 @@ class WallDriver:
             return []
         return [answer for answer in answers if isinstance(answer, kind)]
 
-    def _ask(self, world: str, order: device_server.Order) -> device_server.Word:
+    def _ask(self, world: str, order: device_server.Order, patience_s: float = _ANSWER_S) -> device_server.Word:
         self._devices.send(world, order)
-        return self._answer(world, _ANSWER_S)
+        return self._answer(world, patience_s)
 
     def _answer(self, world: str, patience_s: float) -> device_server.Word:
         waited_for = Reason.of("host.the_device_server_to_answer")

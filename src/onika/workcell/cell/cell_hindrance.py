@@ -9,7 +9,7 @@ from onika.laws.frames import Array
 from onika.model.world import WorldText
 from onika.words.reason import Reason
 from onika.workcell.cell.cell_contacts import DEEP_M
-from onika.workcell.cell.cell_thing import FREE, HAND, CellThing, called_arm, called_hand, rank, things_of
+from onika.workcell.cell.cell_thing import FREE, HAND, CellThing, called_arm, called_hand, contact_of, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.gripping.tool_frame import ToolFrame
 from onika.workcell.plant import Plant
@@ -67,12 +67,10 @@ class CellHindrance:
         return abs(float(force[0]))
 
     def _text(self, unit: JointUnit, who: CellThing, what: CellThing) -> Reason:
-        if who == what:
-            return Reason.of("workcell.meets_itself", who=who.text)
         if who.kind == FREE:
             hand = called_hand(self._world, unit, is_alone=len(self._arms) == 1)
             return Reason.of("workcell.carried_touches", what=who.text, hand=hand, other=what.text)
-        return Reason.of("workcell.meets" if what.moves else "workcell.touches", who=who.text, what=what.text)
+        return contact_of(who, what)
 
 
 def _is_own(thing: CellThing, place: str, held: str | None) -> bool:

@@ -17,7 +17,7 @@ from onika.ring.device import MishapEvent
 from onika.words.reason import Reason
 from onika.workcell.carriage import APART_M, Carriage
 from onika.workcell.cell.cell_contacts import CellContact, CellContacts
-from onika.workcell.cell.cell_thing import FLOOR, FREE, HAND, CellThing, rank
+from onika.workcell.cell.cell_thing import FLOOR, FREE, HAND, CellThing, contact_of, rank
 from onika.workcell.cell.watched_gripper import WatchedGripper
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit
@@ -152,20 +152,17 @@ class CellLookout:
     def _judge(self, pair: Pair, touched: set[CellThing], now_ns: int) -> None:
         """Two things meet that were apart: whether that is told at once."""
         one, other = pair
-        if one.moves and other.moves:
-            self._tell("workcell.meets", pair, now_ns)
-        elif one.moves:
-            self._tell("workcell.touches", pair, now_ns)
+        if one.moves:
+            self._tell(pair, now_ns)
         elif (
             other.kind == FLOOR and one not in touched and pair not in self._carriages and self._carrying(pair) is None
         ):
             places = (self._carrier[one],) if one in self._carrier else ()
             self._note(Reason.of("workcell.falls", what=one.text), places, now_ns)
 
-    def _tell(self, key: str, pair: Pair, now_ns: int) -> None:
-        one, other = pair
+    def _tell(self, pair: Pair, now_ns: int) -> None:
         places = tuple(dict.fromkeys(thing.name for thing in pair if thing.moves))
-        self._note(Reason.of(key, who=one.text, what=other.text), places, now_ns)
+        self._note(contact_of(*pair), places, now_ns)
 
     # What is carried
 

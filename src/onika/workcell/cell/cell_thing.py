@@ -62,6 +62,13 @@ def called_hand(world: WorldText, unit: JointUnit, *, is_alone: bool) -> Reason:
     return called(place.hand_names, Reason.of("workcell.hand_of", arm=arm))
 
 
+def contact_of(who: CellThing, what: CellThing) -> Reason:
+    """What is said of an arm, a hand or a part that touches something; the foot of an arm is the arm itself."""
+    if who == what or who.text == what.text:
+        return Reason.of("workcell.meets_itself", who=who.text)
+    return Reason.of("workcell.meets" if what.moves else "workcell.touches", who=who.text, what=what.text)
+
+
 def things_of(model: Any, world: WorldText, arms: Mapping[JointUnit, bool]) -> Iterator[CellThing]:
     """What each shape belongs to; with each arm, whether its robot has a hand."""
     of_body: dict[int, CellThing] = {}

@@ -4,7 +4,7 @@ It is offered to a runtime under no name of its own: whoever plans with it sends
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import mujoco
@@ -24,6 +24,7 @@ from onika.workcell.cell.cell_hands import CellHands
 from onika.workcell.cell.cell_hindrance import CellHindrance
 from onika.workcell.cell.cell_lookout import CellLookout
 from onika.workcell.cell.cell_places import CellPlaces
+from onika.workcell.cell.cell_scenes import CellScenes
 from onika.workcell.cell.cell_thing import called
 from onika.workcell.composed import part_places
 from onika.workcell.composed.composition import Composition
@@ -38,7 +39,7 @@ from onika.workcell.gripping.forceless import Forceless
 from onika.workcell.gripping.loose_parts import LooseParts
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
-from onika.workcell.scene import BULB, GLOW, Shape3d, looked_at
+from onika.workcell.scene import Shape3d
 from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
@@ -57,7 +58,6 @@ class FileWorld(DrivenWorld):
         world = self._composition.world
         self.step_ns = round(world.step_s * 1e9)
         self._offsets = part_places.offsets(world.parts, seed)
-        self._scenes: dict[tuple[tuple[str, str], ...], list[Shape3d]] = {}
         self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         units = [*robot_units(self._composition, self._model_with)]
@@ -65,6 +65,7 @@ class FileWorld(DrivenWorld):
         touched = touched_switches(world)
         lamps = usable_lamps(self._composition, self._plant.model, touched)
         self._lamps = sorted(lamps, key=lambda lamp: lamp.measures)  # what is measured overwrites what sensors feel
+        self._scenes = CellScenes(self._composition, self._offsets, [lamp.lamp for lamp in self._lamps])
         sensors = usable_sensors(self._composition, self._plant.model)
         self._watching: list[DeviceUnit] = [*self._lamps, *sensors, *self._more_units()]
         buttons = [*self._panic_buttons(), *touched.values()]
@@ -90,6 +91,19 @@ class FileWorld(DrivenWorld):
     def remarks(self, devices: Sequence[str]) -> tuple[Reason, ...]:
         """What is odd about these devices in one flow, and forbids nothing: hands, and arms that do not bear them."""
         return tuple(self._stands.remarks(devices))
+
+    def preparation(self, device: str) -> Callable[[], object] | None:
+        """What takes long before another robot may stand at its place: its model, and what there is to draw of it.
+
+        It changes nothing, so that it may be done beside the steps of the world; nothing: the device can be claimed.
+        """
+        unit = next((unit for unit in self._stands.units if unit.sheet.name == device), None)
+        standing = self._stands.acting if unit is None else self._stands.with_device(unit)
+        return None if standing == self._stands.acting else partial(self._prepare, standing)
+
+    def _prepare(self, standing: Mapping[str, str]) -> None:
+        self._composition.compile_ahead(standing, self._offsets)
+        self._scenes.of(standing)
 
     def reset(self) -> None:
         """Everything back to its start, at rest; all drives hold. Time, claims and pressed buttons go on."""
@@ -130,16 +144,7 @@ class FileWorld(DrivenWorld):
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when another robot stands at a place. Worked out once for each such change."""
-        standing = tuple(self._stands.acting.items())
-        if standing not in self._scenes:
-            self._scenes[standing] = self._painted(looked_at(self._drawn_plant()))
-        return self._scenes[standing]
-
-    def _painted(self, shapes: Sequence[Shape3d]) -> list[Shape3d]:
-        lamps = [lamp.lamp for lamp in self._lamps]
-        paints = {shape: BULB for lamp in lamps for shape in lamp.shines}
-        paints |= {shape: GLOW for lamp in lamps for shape in lamp.glows}
-        return [replace(shape, paint=paints.get(shape.name, shape.paint)) for shape in shapes]
+        return self._scenes.of(self._stands.acting)
 
     def button_places(self) -> Mapping[str, Place]:
         """Where its panic buttons and touched switches stand, x, y, z (m)."""
@@ -158,14 +163,11 @@ class FileWorld(DrivenWorld):
 
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
-        drawn = self._drawn_plant()
+        drawn = self._scenes.plant(self._stands.acting)
         glows = [(name, bool(lamp.flags.all())) for lamp in self._lamps for name in lamp.lamp.glows]
         lit, dark = ([name for name, shines in glows if shines is wanted] for wanted in (True, False))
         picture = still(drawn, self.poses(), self.lit, lit, dark)
         return encode(WorldSnapshot(picture, self.now_ns * 1e-9))
-
-    def _drawn_plant(self) -> Plant:
-        return Plant(self._compile(self._stands.acting, is_drawn=True))
 
     def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
         return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)

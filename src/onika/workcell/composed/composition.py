@@ -48,6 +48,7 @@ class Composition:
         usable = usable_parts(sources, self.world.parts, self.faults)
         self.parts, self._sites, self._lost = usable.parts, usable.sites, {**usable.lost}
         self._models: dict[object, mujoco.MjModel] = {}
+        self._ahead: dict[object, mujoco.MjModel] = {}
         self._robots: dict[tuple[str, PlaceHand], RobotModel | None] = {}
         self._unusable: dict[str, tuple[Place, ...]] = {}
         self.places = tuple(place for place in self.world.places if self._is_used(place))
@@ -107,10 +108,15 @@ class Composition:
         key = (tuple(standing.items()), tuple(offsets.items()), is_drawn)
         if key in self._models:
             return copy(self._models[key])
-        model = self._compiled_world(standing, offsets, is_drawn=is_drawn)
+        model = self._ahead.pop(key, None) or self._compiled_world(standing, offsets, is_drawn=is_drawn)
         if mujoco.mj_sizeModel(model) <= _LARGEST_KEPT:
             self._models[key] = copy(model)  # whoever gets one may change it
         return model
+
+    def compile_ahead(self, standing: Mapping[str, str], offsets: Offsets) -> None:
+        """Have the model at hand when it is wanted next, where nobody looks; only the last one is kept."""
+        key = (tuple(standing.items()), tuple(offsets.items()), False)
+        self._ahead = {key: self.compile(standing, offsets, is_drawn=False)}
 
     def _compiled_world(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
         try:

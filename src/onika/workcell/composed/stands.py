@@ -73,6 +73,11 @@ class Stands:
                 side = Reason.plain(hand.side)
                 yield Reason.of("workcell.hand_apart", hand=hand.sheet.name, side=side, arms=names)
 
+    def with_device(self, unit: RobotUnit) -> dict[str, str]:
+        """Who would stand at each place while this device acts."""
+        robot = unit.robot or self.acting[unit.side] or self._firsts[unit.side]
+        return {**self.acting, unit.side: robot}
+
     def admit(self, unit: RobotUnit) -> bool:
         """Let this device act; whether anything changed. Raises ValueError where one in use stands against it."""
         for other in self.units:
@@ -87,10 +92,10 @@ class Stands:
                     Reason.of("workcell.mode_in_use", device=device, mode=mode, other=in_use, other_mode=other_mode)
                 )
         wanted = self.mode if unit.mode == EITHER else unit.mode
-        robot = unit.robot or self.acting[unit.side] or self._firsts[unit.side]
-        if self.acting[unit.side] == robot and wanted == self.mode:
+        acting = self.with_device(unit)
+        if acting == self.acting and wanted == self.mode:
             return False
-        self.acting[unit.side], self.mode = robot, wanted
+        self.acting, self.mode = acting, wanted
         for newcomer in self.present():
             if newcomer.count:
                 newcomer.state[1] = newcomer.drive.shown
