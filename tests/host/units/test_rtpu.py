@@ -34,7 +34,7 @@ class Count(Module):
 class Unit:
     """A processing unit in a thread, and the runner's end of its post."""
 
-    def __init__(self):
+    def __init__(self, *, keeps_grid=False):
         self.post, theirs = ProcessSocket.pair()
         self._theirs = ProcessSocket(theirs)
         self._heard = deque()
@@ -42,6 +42,8 @@ class Unit:
         self.heartbeat = Heartbeat(beat)
         self.table = tables.Table(Segment.create("table", tables.SIZE))
         rtpu = Rtpu("rt0", self._theirs, Heartbeat(Segment.attach(os.dup(beat.fd))), monotonic_ns())
+        if keeps_grid:
+            rtpu.keep_the_grid()
         self.thread = threading.Thread(target=rtpu.run)
         self.thread.start()
         self.post.send(room.encode(Share("table:flow0")), (self.table.segment.fd,))
@@ -92,16 +94,32 @@ def unit():
     unit.close()
 
 
-def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # law 2
-    unit.spawn()
-    assert unit.hear(news.Initialised).task == "count"
-    unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
-    assert unit.hear(news.Changed).state == "ON"
-    first = unit.hear(news.Cycled).at_ns
-    finished = unit.hear(news.Finished)
+@pytest.fixture(params=[False, True], ids=["shares a processor", "is woken early"])
+def either_unit(request):
+    unit = Unit(keeps_grid=request.param)
+    yield unit
+    unit.close()
+
+
+def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(either_unit):  # law 2
+    either_unit.spawn()
+    assert either_unit.hear(news.Initialised).task == "count"
+    either_unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
+    assert either_unit.hear(news.Changed).state == "ON"
+    first = either_unit.hear(news.Cycled).at_ns
+    finished = either_unit.hear(news.Finished)
     # Five cycles of 4 ms, each at its release or later; the first may be late, but by less than a period.
     assert finished.now_ns - first > 3 * 4_000_000
-    assert unit.table.value("N") == 5
+    assert either_unit.table.value("N") == 5
+
+
+def test_what_is_said_between_two_cycles_is_heard(either_unit):  # law 27
+    either_unit.spawn(COUNT.replace("== 5", "== 0"))
+    either_unit.hear(news.Initialised)
+    either_unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
+    either_unit.hear(news.Cycled)
+    either_unit.say(command.Stop())
+    assert either_unit.hear(news.Changed).state == "OFF"
 
 
 def spawn_all(unit, names):

@@ -19,6 +19,7 @@ from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.process_socket import ProcessSocket
 from onika.host.processes.realtime_scheduling import become_real_time
 from onika.host.sandbox.sandbox_end import SandboxEnd
+from onika.host.units.early_wake import EarlyWake
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.link.launcher import die_with_parent
@@ -26,7 +27,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.execution.executive import Executive
 
-_LONGEST_SLEEP_S = 0.02
+_LONGEST_SLEEP_NS = 20_000_000
 
 _KEPT_NS = 500_000
 """So long, at most, may the outcome of a switch wait to be told, while the first cycles after it are due."""
@@ -75,6 +76,8 @@ class Rtpu:
         watch = DescriptorGuard(post.fileno(), heartbeat.watch, heartbeat.leave).watch
         self._executive = Executive(name, self._views, watch, heartbeat.begin_words)
         self._garbage = Garbage()
+        self._early_wake: EarlyWake | None = None
+        """None where the machine grants no real time."""
         self.code_watch = CodeWatch(CodeGuard(own_code()), heartbeat.leave, heartbeat.look)
         """Whoever runs this in a process of its own begins it."""
         self._over = False
@@ -100,6 +103,10 @@ class Rtpu:
         """The machine grants no real time."""
         self._executive.share_processor()
 
+    def keep_the_grid(self) -> None:
+        """The machine grants real time: cycles begin at their instants, not when the system gets round to it."""
+        self._early_wake = EarlyWake()
+
     def _now(self) -> int:
         return monotonic_ns() - self._zero
 
@@ -111,11 +118,28 @@ class Rtpu:
         self.code_watch.look_if_due()
         due = self._executive.next_release()
         self._garbage.collect(None if due is None else due - self._now())
-        wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
-        if wait > 0:
-            writable = [self._post] if self._post.is_waiting else []
-            return self._take_events(wait, [self._post], writable)
-        return True
+        return self._sleep(_LONGEST_SLEEP_NS) if due is None else self._sleep_until(due)
+
+    def _sleep_until(self, due: int) -> bool:
+        """Sleep until a cycle is due, or for so long as one may; whether there may be commands."""
+        left = due - self._now()
+        if self._early_wake is None or not 0 < left < _LONGEST_SLEEP_NS:
+            return self._sleep(min(left, _LONGEST_SLEEP_NS))
+        wanted = due - self._early_wake.lead_ns(left)
+        if self._sleep(wanted - self._now()):
+            return True
+        woken = self._now()
+        self._early_wake.note(woken - wanted)
+        while woken < due:
+            woken = self._now()
+        return False
+
+    def _sleep(self, wait_ns: int) -> bool:
+        """Sleep so long, unless something comes; whether there may be commands."""
+        if wait_ns <= 0:
+            return True
+        writable = [self._post] if self._post.is_waiting else []
+        return self._take_events(wait_ns * 1e-9, [self._post], writable)
 
     def _take_events(
         self, wait_s: float, readers: Sequence[ProcessSocket] = (), writable: Sequence[ProcessSocket] = ()
@@ -216,7 +240,9 @@ def main(words: list[str]) -> None:
     bound()
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
-    if not granted["SCHED_FIFO"]:
+    if granted["SCHED_FIFO"]:
+        rtpu.keep_the_grid()
+    else:
         rtpu.share_processor()
     rtpu.code_watch.begin()
     heartbeat.beat()  # before it is said to be up: from then on silence counts
