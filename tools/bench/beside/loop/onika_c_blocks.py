@@ -14,14 +14,14 @@ from onika.module import Module, OutVar
 class Path(Module):
     Q_REF = OutVar("double[6]", "rad", "where the joint shall be")
 
-    def on(self, inputs):
-        self._path, self._place = function("path", c_double, c_void_p), place(self.Q_REF)
+    def init(self):
+        self._path, self._place = function("path", c_double, c_void_p), place(self.buffer("Q_REF"))
 
     def cycle(self):
         self._path(self.now, self._place)
 """,
     "rate": """
-import numpy as np
+from functools import partial
 from beside.loop.blocks import path
 from beside.loop.c_library import function, place
 from onika.module import InVar, Module, OutVar
@@ -30,15 +30,16 @@ class Rate(Module):
     Q_REF = InVar("double[6]", "rad", "where the joint shall be")
     QD_REF = OutVar("double[6]", "rad/s", "how fast", name="Q^_REF")
 
-    def on(self, inputs):
+    def init(self):
         self._old = path(self.now)
-        self._derivative = function("derivative")
-        self._places = place(self.Q_REF), place(self._old), place(self.QD_REF)
+        places = map(place, (self.buffer("Q_REF"), self._old, self.buffer("QD_REF")))
+        self.cycle = partial(function("derivative"), *places)
 
-    def cycle(self):
-        self._derivative(*self._places)
+    def on(self, inputs):
+        self._old[:] = path(self.now)
 """,
     "control": """
+from functools import partial
 from beside.loop.c_library import function, place
 from onika.module import InVar, Module, OutVar
 
@@ -49,15 +50,12 @@ class Control(Module):
     QD_MEZ = InVar("double[6]", "rad/s", "how fast", name="Q^_MEZ")
     TAU_REF = OutVar("double[6]", "Nm", "what pushes it")
 
-    def on(self, inputs):
-        self._torque = function("torque")
-        ports = (self.Q_REF, self.QD_REF, self.Q_MEZ, self.QD_MEZ, self.TAU_REF)
-        self._places = tuple(map(place, ports))
-
-    def cycle(self):
-        self._torque(*self._places)
+    def init(self):
+        ports = map(self.buffer, ("Q_REF", "QD_REF", "Q_MEZ", "QD_MEZ", "TAU_REF"))
+        self.cycle = partial(function("torque"), *map(place, ports))
 """,
     "joint": """
+from functools import partial
 from beside.loop.c_library import function, place
 from onika.module import InVar, Module, OutVar
 
@@ -66,12 +64,9 @@ class Joint(Module):
     Q_MEZ = OutVar("double[6]", "rad", "where it is")
     QD_MEZ = OutVar("double[6]", "rad/s", "how fast", name="Q^_MEZ")
 
-    def on(self, inputs):
-        self._moved = function("moved")
-        self._places = place(self.TAU_REF), place(self.Q_MEZ), place(self.QD_MEZ)
-
-    def cycle(self):
-        self._moved(*self._places)
+    def init(self):
+        ports = map(self.buffer, ("TAU_REF", "Q_MEZ", "QD_MEZ"))
+        self.cycle = partial(function("moved"), *map(place, ports))
 """,
 }
 
