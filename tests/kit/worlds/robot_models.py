@@ -82,3 +82,23 @@ FAULTS = (
     "l5 has no mass",
 )
 """What is told of them, in order."""
+
+
+def _finger(name: str, side: int, more: str = "") -> str:
+    return f"""<link name="{name}"><inertial><mass value="0.03"/>
+  <inertia ixx="1e-5" iyy="1e-5" izz="1e-5" ixy="0" ixz="0" iyz="0"/></inertial>
+  <collision><geometry><box size="0.008 0.02 0.05"/></geometry></collision></link>
+<joint name="{name}" type="prismatic"><parent link="quill"/><child link="{name}"/>
+  <origin xyz="{0.004 * side} 0 -0.13"/><axis xyz="{side} 0 0"/>
+  <limit lower="0" upper="0.04" effort="30" velocity="0.2"/>{more}</joint>
+"""
+
+
+HOIST = f"""<robot name="hoist"><link name="base"/>
+<link name="quill"><inertial><mass value="2"/>
+  <inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="z" type="prismatic"><parent link="base"/><child link="quill"/><origin xyz="0 0 0.4"/><axis xyz="0 0 1"/>
+  <limit lower="-0.3" upper="0.05" effort="200" velocity="0.5"/></joint>
+{_finger("finger_left", 1)}{_finger("finger_right", -1, '<mimic joint="finger_left"/>')}</robot>
+"""
+"""A slide with two fingers, one of which follows the other, as a URDF has them: without motors, gears and places."""

@@ -42,3 +42,11 @@ def test_a_gripper_that_is_pulled_goes_to_the_ends_of_its_way(model):
 def test_what_is_not_in_the_model_is_told_with_its_line(model, hand, keyword, key):  # R-B07, R-X19
     unfit = gripper_facts(model, hand, "elbow")
     assert (unfit.keyword, unfit.reason.key) == (keyword, key)
+
+
+def test_motors_are_led_along_their_way_and_what_knows_its_places_is_not(model):  # R-X19
+    assert gripper_facts(model, HAND, "elbow").ways == (None,)
+    pulled = replace(HAND, moves=("lift",), open=(50.0, 0.1), closed=(-50.0, 0.0))
+    assert gripper_facts(model, pulled, "elbow").ways == (pytest.approx((-0.1, 0.1)),)
+    air = ARM.replace('<motor name="lift" joint="lift"', '<general name="lift" joint="lift" dyntype="filter"')
+    assert gripper_facts(mujoco.MjModel.from_xml_string(air), pulled, "elbow").ways == (None,)

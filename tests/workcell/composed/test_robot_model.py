@@ -4,7 +4,7 @@ import mujoco
 import pytest
 
 from kit.worlds.file_cells import ARM, CELL, changed, files_of
-from kit.worlds.robot_models import PLAIN
+from kit.worlds.robot_models import HOIST, PLAIN
 from onika.model.robot import RobotGripper, RobotText
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.workcell.composed.robot_model import compiled, held_by_mocap, robot_model, robot_spec
@@ -147,3 +147,11 @@ def test_a_light_finger_of_a_urdf_feels_a_gear_behind_its_motor_and_the_arm_does
     for _ in range(1000):
         mujoco.mj_step(model, data)
     assert -0.25 < data.joint("bite").qpos[0] < -0.19
+
+
+def test_a_finger_that_follows_feels_the_gear_of_the_one_that_leads():  # R-X19
+    files = WorldSource("new", "", (WorldFile("robot/new.urdf", "/lab/new.urdf", HOIST.encode()),))
+    gripper = RobotGripper("gripper", ("finger_left",), (30.0, 0.08), (-30.0, 0.0))
+    model = compiled(robot_spec(SourceTexts(files), RobotText("new", "new.urdf", devices=(gripper,))))
+    names = ("z", "finger_left", "finger_right")
+    assert [float(model.dof_armature[model.joint(name).dofadr[0]]) for name in names] == [0.0, 1.0, 1.0]

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from kit.worlds.file_cells import ARM
-from onika.workcell.composed.servo import felt_inertia, gains, limit, make_motor, make_servo
+from onika.workcell.composed.servo import felt_inertia, finger_gains, gains, limit, make_motor, make_servo
 
 
 def test_gains_are_critical_and_firm_against_friction():  # R-X19
@@ -38,3 +38,12 @@ def test_a_spring_in_a_joint_does_not_pull_it_from_where_it_is_told_to_be():  # 
     assert made.kp[0] * (signal - goal) == pytest.approx(240.0 * (0.3 - 0.1))
     free = gains(np.array([0.5]), np.zeros(1), np.zeros(1), np.zeros(1), np.zeros(1))
     assert free.against_springs(np.array([0.3]))[0] == 0.3
+
+
+def test_a_finger_presses_with_all_its_force_some_millimetres_before_its_goal():  # R-X19
+    model = mujoco.MjModel.from_xml_string(ARM)
+    lift = np.array([model.actuator("lift").id])
+    felt = felt_inertia(model, mujoco.MjData(model), np.array([model.joint("lift").dofadr[0]]))
+    given = finger_gains(model, lift)
+    assert given.kp == pytest.approx(300.0**2 * felt)
+    assert given.kp[0] * 0.003 > 30.0

@@ -20,7 +20,7 @@ LONGEST = 64
 ENDINGS = (".xml", ".mjcf", ".urdf")
 
 _BLOCKS = ("BASE", "ARM", "AXES", "GRIPPER", "CAMERA")
-_USUAL, _FIRM = (CONES[0], 1.0), (CONES[1], 10.0)
+_USUAL, _FIRM = (CONES[0], 1.0), (CONES[1], 100.0)
 _TRIES = 3  # a description without the meshes that cannot be used, once more without those that then cannot
 
 Say = Callable[[Reason], str]

@@ -23,6 +23,7 @@ class GripperFacts:
     """A gripper; the names are those of the robot's model.
 
     lengths    of its first actuator where it is closed, and where it is open
+    ways       the same of each of them that is a motor, which knows no place by itself; None: its signal does
     leverage   by how much an actuator's length changes for each metre that the fingers go apart
     force      what the fingers press with at most (N)
     """
@@ -32,6 +33,7 @@ class GripperFacts:
     leverage: float
     force: float
     constants: Mapping[str, Numbers | str]
+    ways: tuple[tuple[float, float] | None, ...] = ()
 
 
 def gripper_facts(model: Any, gripper: RobotGripper, robot: str) -> GripperFacts | Unfit:
@@ -57,7 +59,16 @@ def gripper_facts(model: Any, gripper: RobotGripper, robot: str) -> GripperFacts
         "CLOSED": (gripper.closed[1],),
         "FORCE": (force,),
     }
-    return GripperFacts(gripper, (closed, opened), leverage, force, sheet)
+    ways = tuple(_way(model, actuator, gripper) for actuator in actuators)
+    return GripperFacts(gripper, (closed, opened), leverage, force, sheet, ways)
+
+
+def _way(model: Any, actuator: int, gripper: RobotGripper) -> tuple[float, float] | None:
+    """The lengths of a motor where the gripper is closed, and where it is open; a cylinder has its own two places."""
+    is_motor = int(model.actuator_dyntype[actuator]) == int(mujoco.mjtDyn.mjDYN_NONE)
+    if not is_motor or float(model.actuator_biasprm[actuator, 1]) != 0.0:
+        return None
+    return _length(model, actuator, gripper.closed[0]), _length(model, actuator, gripper.open[0])
 
 
 def _length(model: Any, actuator: int, signal: float) -> float:

@@ -26,7 +26,7 @@ HAND = "hand."
 ORIGIN = "robot.origin"
 """A site of every robot: the middle of its document, which is frame 0 where nothing bears the first joint."""
 
-_FASTEST = 600.0  # how much faster in a second its motor makes a finger at most (rad/s; m/s)
+_FASTEST = {False: 600.0, True: 30.0}  # how much faster in a second its motor makes a finger at most: rad/s, m/s
 _DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
 _URDF = ".urdf"
 _KEYWORDS = {"workcell.no_such_name": "ON"}
@@ -246,14 +246,20 @@ def _add_motors(spec: mujoco.MjSpec, *, is_hand_driven: bool) -> None:
 
 
 def _gear_fingers(spec: mujoco.MjSpec, robot: RobotText) -> None:
-    """Fingers that our motors move feel a gear behind them where the model says none, as no URDF can.
+    """Fingers that our motors move feel a gear behind them where the model says none, as no URDF can; so do followers.
 
-    Without it a motor of 10 N m at a finger of some grams pushes it through its stop, which is soft, and on.
+    Without it a motor of 10 N m at a finger of some grams pushes it through its stop, which is soft, and on; and one
+    that follows gives way to what it presses on.
     """
-    fingers = {name for device in robot.devices if isinstance(device, RobotGripper) for name in device.moves}
-    for joint in _moving(spec):
-        if joint.name in fingers and not np.any(joint.armature):
-            joint.armature = float(np.max(np.abs(joint.actfrcrange))) / _FASTEST
+    led = {name for device in robot.devices if isinstance(device, RobotGripper) for name in device.moves}
+    joints = {joint.name: joint for joint in _moving(spec)}
+    coupled = [each for each in spec.equalities if each.type == mujoco.mjtEq.mjEQ_JOINT]
+    leaders = {each.name1: each.name2 for each in coupled} | {name: name for name in led}
+    for name, leader in leaders.items():
+        joint, motor = joints.get(name), joints.get(leader)
+        if joint is not None and motor is not None and leader in led and not np.any(joint.armature):
+            fastest = _FASTEST[joint.type == mujoco.mjtJoint.mjJNT_SLIDE]
+            joint.armature = float(np.max(np.abs(motor.actfrcrange))) / fastest
 
 
 def _moving(spec: mujoco.MjSpec) -> Iterator[Any]:

@@ -15,6 +15,7 @@ from onika.laws.frames import Array
 FREQUENCY = 100.0
 """Natural frequency (rad/s)."""
 
+_FINGER_FREQUENCY = 300.0
 _FIRM = 500.0  # how much stiffer than dry friction is strong (1/rad): it then leaves 2 mrad at most
 
 
@@ -44,6 +45,22 @@ def gains(
     kv: Array = 2.0 * np.sqrt(kp * np.maximum(inertia, kp / frequency**2))
     lead: Array = (kv + damping) / kp
     return Gains(kp, kv, lead, spring / kp, slack)
+
+
+def finger_gains(model: Any, actuators: Array) -> Gains:
+    """Of the motors of fingers: so firm that a finger presses as hard as it may some millimetres before its goal."""
+    mass = np.array([_felt_mass(model, actuator) for actuator in actuators.tolist()])
+    none = np.zeros(len(actuators))
+    return gains(mass, none, none, none, none, _FINGER_FREQUENCY)
+
+
+def _felt_mass(model: Any, actuator: int) -> float:
+    """What a motor moves, for each metre of its length (kg), or radian (kg m2), where the model stands at first."""
+    gear = max(abs(float(model.actuator_gear[actuator, 0])), 1e-9)
+    if int(model.actuator_trntype[actuator]) == int(mujoco.mjtTrn.mjTRN_JOINT):
+        dof = int(model.jnt_dofadr[model.actuator_trnid[actuator, 0]])
+        return float(np.ravel(model.dof_M0[dof])[0]) / gear**2
+    return 1.0 / max(gear * float(model.actuator_acc0[actuator]), 1e-9)
 
 
 def felt_inertia(model: Any, data: Any, dofs: Array) -> Array:

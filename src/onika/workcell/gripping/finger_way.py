@@ -34,7 +34,7 @@ class FingerWay:
         self._q_at = np.array([int(model.jnt_qposadr[k]) for k in joints], dtype=int)
         self._v_at = np.array([int(model.jnt_dofadr[k]) for k in joints], dtype=int)
         gripper = unit.facts.gripper
-        tried = [self._tried(plant, unit, signal) for signal in (gripper.closed[0], gripper.open[0])]
+        tried = [self._tried(plant, unit, opening) for opening in (gripper.closed[1], gripper.open[1])]
         self._closed, self._opened = (_within(model, joints, data.qpos[self._q_at]) for data in tried)
         self.fingers = _fingers(model, carried, tool, *tried)
 
@@ -51,14 +51,14 @@ class FingerWay:
         self._data.qpos[self._q_at] = self._closed + share * way
         self._data.qvel[self._v_at] = speed * way
 
-    def _tried(self, plant: Plant, unit: FingerUnit, signal: float) -> Any:
+    def _tried(self, plant: Plant, unit: FingerUnit, opening: float) -> Any:
         model = copy.copy(plant.model)
         model.opt.gravity[:] = 0.0
         model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
         data = mujoco.MjData(model)
         data.qpos[:] = plant.data.qpos
         data.ctrl[:] = plant.data.ctrl
-        data.ctrl[unit.motors] = signal
+        data.ctrl[unit.motors] = unit.signals(opening)
         still_q, still_v = np.ones(model.nq, dtype=bool), np.ones(model.nv, dtype=bool)
         still_q[self._q_at], still_v[self._v_at] = False, False
         places, speeds, there = data.qpos, data.qvel, plant.data.qpos[still_q]
