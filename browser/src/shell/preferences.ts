@@ -29,12 +29,15 @@ const GROUPS: [TextKey, string[]][] = [
   ['prefer.study', ['keeps_diary']],
 ]
 
+/** How icons are presented is fixed by a study; nobody chooses it here. */
+const FIXED = 'presentation'
+
 /** What there is to choose from; undefined: it is no choice. */
 export const choices = (name: string): string[] | undefined => (UNITS[name] ? Object.keys(UNITS[name]) : undefined)
 
 export function grouped(preferences: Readonly<Record<string, unknown>>): [TextKey, Field[]][] {
   const grouped = new Set(GROUPS.flatMap(([, names]) => names))
-  const others = Object.keys(preferences).filter((name) => !grouped.has(name))
+  const others = Object.keys(preferences).filter((name) => !grouped.has(name) && name !== FIXED)
   return [...GROUPS, ['prefer.others', others] as [TextKey, string[]]]
     .map(([title, names]): [TextKey, Field[]] => [title, names.flatMap((name) => field(name, preferences[name]))])
     .filter(([, fields]) => fields.length > 0)

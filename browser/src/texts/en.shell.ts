@@ -218,7 +218,7 @@ export const enShell = {
   'prefer.wires': 'Connections',
   'prefer.figures': 'Columns of the status view',
   'prefer.shows_warnings': 'Show warnings',
-  'prefer.keeps_diary': 'Keep a log of what I do',
+  'prefer.keeps_diary': 'Keep a diary of what I do',
   'prefer.study': 'Diary',
   'prefer.others': 'Others',
   'prefer.min_size': 'Least height of an icon',

@@ -58,6 +58,7 @@ describe('R-G01: preferences', () => {
     const names = grouped(preferences).flatMap(([, fields]) => fields.map((field) => field.name))
     expect(names.sort()).toEqual(Object.keys(preferences).sort())
     expect(grouped(preferences).at(-1)![0]).toBe('prefer.others')
+    expect(grouped({ presentation: '' }), 'what a study fixes is nobody’s to choose').toEqual([])
   })
   test('keep their kind when they are typed', () => {
     expect(typed('14', 12)).toBe(14)
