@@ -523,7 +523,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.study_end": "terminar la sesión de un participante: su registro queda donde lo lee el informe",
   "cli.study_ended": "la sesión de {subject} ha terminado; sus programas y su diario siguen también en su carpeta",
   "cli.study_folder": "la carpeta del estudio: NOMBRE.log de cada participante, subjects.csv con las columnas subject y group",
-  "cli.study_made": "{path} tiene los papeles: ábrelos e imprímelos. Quién recibe qué variante: onika study design -o {table}",
+  "cli.study_made": "{path} tiene los papeles: ábralos e imprímalos. Quién recibe qué variante: onika study design --variants pictures,both,words --subjects 24 -o {table}",
   "cli.study_mean": "{group} {mean:.4g} ({count})",
   "cli.study_means": "{figure}: {means}; sin comparación, la página dice por qué",
   "cli.study_new": "hacer una carpeta con los papeles de un estudio, en inglés y español, y sitio para registros y respuestas",
