@@ -24,8 +24,8 @@ export interface World {
   switches?: readonly string[]
 }
 
-/** Where buttons stand, x y z in m, by name. */
-export type Buttons = Record<string, [number, number, number]>
+/** Where buttons are, x y z, and how high what their posts stand on, in m, by name. */
+export type Buttons = Record<string, [number, number, number, number?]>
 
 /** The parts that a hand may touch, in the answer to `Scene`. */
 export function partsOf(answer: unknown): string[] {

@@ -6,6 +6,7 @@ import type { Buttons } from '../values/world'
 /** Heights and radii in m, as of a button for a whole hand. */
 const FOOT = { radius: 0.045, height: 0.03 }
 const CAP = { radius: 0.035, height: 0.025 }
+const [POST, LEAST_POST, COLUMN] = [0.015, 0.005, '#6b7280'] // what bears a button that nothing is below
 const PRESSED = 0.016 // so far a cap goes down
 const PANIC = { foot: '#e3b341', free: '#c8281e', pressed: '#c8281e', glow: '#c8281e' }
 const SWITCH = { foot: '#8a94a3', free: '#2f6fd0', pressed: '#1f9d55', glow: '#0f5c2f' }
@@ -15,7 +16,7 @@ export class Knobs {
   private readonly caps = new Map<string, { cap: Knob; colors: typeof PANIC }>()
 
   constructor(buttons: Buttons, switches: readonly string[] = []) {
-    for (const [name, [x, y, z]] of Object.entries(buttons)) {
+    for (const [name, [x, y, z, ground = z]] of Object.entries(buttons)) {
       const isSwitch = switches.includes(name)
       const colors = isSwitch ? SWITCH : PANIC
       const [foot, cap] = [upright(FOOT, isSwitch, colors.foot), upright(CAP, isSwitch, colors.free)]
@@ -24,6 +25,11 @@ export class Knobs {
       cap.position.set(x, y, 0)
       cap.userData.free = z + FOOT.height + CAP.height / 2
       this.caps.set(name, { cap, colors })
+      if (z - ground > LEAST_POST) {
+        const post = upright({ radius: POST, height: z - ground }, false, COLUMN)
+        post.position.set(x, y, (z + ground) / 2)
+        this.group.add(post)
+      }
       this.group.add(foot, cap)
     }
     this.press([])

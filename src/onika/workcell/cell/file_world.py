@@ -147,7 +147,7 @@ class FileWorld(DrivenWorld):
         return self._scenes.of(self._stands.acting)
 
     def button_places(self) -> Mapping[str, Place]:
-        """Where its panic buttons and touched switches stand, x, y, z (m)."""
+        """Where its panic buttons and touched switches stand, and on what."""
         places = button_places(self._composition.world, self._plant.model, self._plant.data)
         return {name: place for name, place in places.items() if name in self._buttons}
 
