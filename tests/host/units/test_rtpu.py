@@ -122,6 +122,60 @@ def test_what_is_said_between_two_cycles_is_heard(either_unit):  # law 27
     assert either_unit.hear(news.Changed).state == "OFF"
 
 
+class Clock:
+    """Time that passes while somebody sleeps, and a little with each look at it."""
+
+    def __init__(self, wakes_ns):
+        self.now_ns, self.looks = 0, 0
+        self._wakes_ns = iter(wakes_ns)
+
+    def monotonic_ns(self):
+        self.looks += 1
+        assert self.looks < 1000, "expected somebody who sleeps, found one who waits awake"
+        self.now_ns += 1000
+        return self.now_ns
+
+    def select(self, _readers, _writers, _others, wait_s):
+        """Asleep, and up again so much later than wished."""
+        self.now_ns += round(wait_s * 1e9) + next(self._wakes_ns)
+        return [], [], []
+
+
+@pytest.fixture
+def slept(monkeypatch):
+    """A loop that keeps the grid, by a clock that is handed in."""
+
+    def make(wakes_ns):
+        clock = Clock(wakes_ns)
+        monkeypatch.setattr(room, "monotonic_ns", clock.monotonic_ns)
+        monkeypatch.setattr(room.select, "select", clock.select)
+        mine, theirs = ProcessSocket.pair()
+        posts.extend((mine, ProcessSocket(theirs)))
+        rtpu = Rtpu("rt0", posts[-1], Heartbeat(Segment.create("beat", SIZE)), 0)
+        rtpu.keep_the_grid()
+        return rtpu, clock
+
+    posts = []
+    yield make
+    for post in posts:
+        post.close()
+
+
+def test_whoever_is_woken_before_the_instant_waits_for_it_and_not_longer(slept):
+    rtpu, clock = slept([50_000] * 400)
+    for number in range(1, 401):
+        due = number * 2_000_000
+        assert rtpu._sleep_until(due) is False
+        clock.looks = 0
+    assert due <= clock.now_ns < due + 2000
+
+
+def test_an_event_that_comes_long_before_the_instant_lets_nobody_wait_awake(slept):
+    rtpu, clock = slept([-1_500_000])
+    assert rtpu._sleep_until(2_000_000) is False
+    assert clock.now_ns < 600_000
+
+
 def spawn_all(unit, names):
     for name in names:
         unit.spawn(task=name)

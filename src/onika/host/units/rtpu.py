@@ -129,6 +129,8 @@ class Rtpu:
         if self._sleep(wanted - self._now()):
             return True
         woken = self._now()
+        if woken < wanted:
+            return False  # the event of a synchronous task was taken in: there is time to sleep on
         self._early_wake.note(woken - wanted)
         while woken < due:
             woken = self._now()
