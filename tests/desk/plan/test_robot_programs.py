@@ -4,6 +4,7 @@ from msgspec import structs
 
 from onika.desk.plan.robot_programs import RobotPrograms
 from onika.files import kept
+from onika.model import job_pictures
 from onika.model.initials import drawn
 from onika.wire.robot_draft import RobotDraft
 
@@ -50,10 +51,16 @@ def test_the_test_demands_that_the_joints_are_home_in_the_end():  # R-X19
         "grip_craneC", "jmove_craneC", "cmove_craneC", "grip_craneC", "jmove_craneC"]  # fmt: skip
 
 
-def test_the_places_that_its_arm_goes_to_show_the_robot_and_other_icons_bear_letters():  # R-X19, R-B11
+def test_icons_show_the_robot_and_what_it_does_and_other_ones_bear_letters():  # R-X19, R-B11
     home, away = (drawn(letters) for letters in ("X", "Y"))
     texts = dict(replace(ALL, draft=structs.replace(DRAFT, pictures=(home.rows, away.rows))).texts())
-    for name, picture in (("home", home), ("away", away)):
-        lines = texts[f"dict/crane_{name}.onk"].splitlines()
-        assert tuple(line.split()[1] for line in lines if line.startswith("PICT")) == picture.rows
-    assert texts["dict/jmove_craneC.onk"] == dict(ALL.texts())["dict/jmove_craneC.onk"]
+    shown = {"home": home, "away": away, "open": drawn("crane_open")}
+    for name, picture in shown.items():
+        assert rows_of(texts[f"dict/crane_{name}.onk"]) == picture.rows
+    assert rows_of(texts["dict/jmove_craneC.onk"]) == job_pictures.of_joints(home.rows, away.rows).rows
+    assert rows_of(texts["dict/grip_craneC.onk"]) == job_pictures.of_hand().rows
+    assert rows_of(dict(ALL.texts())["dict/jmove_craneC.onk"]) == drawn("jmove_craneC").rows
+
+
+def rows_of(text):
+    return tuple(line.split()[1] for line in text.splitlines() if line.startswith("PICT"))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from onika.files import appl, conf, kept, onk, rmod
 from onika.files.line import show_number
 from onika.files.rmod import RmodText
+from onika.model import job_pictures
 from onika.model.application import AppFlow, Application, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.initials import drawn
@@ -169,9 +170,17 @@ class RobotPrograms:
         return Onikon(name, kind, reason.text, values, self._picture(name), words=words, arm=arm)
 
     def _picture(self, name: str) -> Picture:
-        """The robot itself where it is a place to go to, else letters."""
-        shown = dict(zip((f"{self.name}_home", f"{self.name}_away"), self.draft.pictures, strict=False))
-        return Picture(shown[name]) if name in shown else drawn(name)
+        """The robot itself where it goes to or comes from a place, else what its hand or base does, else letters."""
+        return self._pictures().get(name) or drawn(name)
+
+    def _pictures(self) -> dict[str, Picture]:
+        pictures = {f"grip_{self.name}C": job_pictures.of_hand(), f"drive_{self.name}C": job_pictures.of_base()}
+        if self.draft.pictures:
+            home, away = self.draft.pictures
+            pictures |= {f"{self.name}_home": Picture(home), f"{self.name}_away": Picture(away)}
+            pictures[f"jmove_{self.name}C"] = job_pictures.of_joints(home, away)
+            pictures[f"cmove_{self.name}C"] = job_pictures.of_line(away)
+        return pictures
 
     def _said(self, key: str) -> str:
         return self._reason(key).text

@@ -1,0 +1,120 @@
+"""Pictures of the jobs of a robot for which nobody has drawn any: made of pictures of the robot itself (§5.6.2)."""
+
+from collections.abc import Sequence
+
+from onika.model.picture import BLACK, SIZE, Picture, framed
+
+_WHITE, _GREY, _RED = "7", "6", "0"
+
+_TURNED = (
+    "  ####    ",
+    " ##  ##   ",
+    " #    ##  ",
+    "      ##  ",
+    "    ######",
+    "     #### ",
+    "      ##  ",
+)
+_STRAIGHT = (
+    "        #   ",
+    "        ##  ",
+    "########### ",
+    "############",
+    "########### ",
+    "        ##  ",
+    "        #   ",
+)
+
+_HAND = (
+    "            ######            ",
+    "            ######            ",
+    "            ######            ",
+    "       ################       ",
+    "       ################       ",
+    "       ################       ",
+    "       ###          ###       ",
+    "       ###          ###       ",
+    "       ###          ###       ",
+    "       ###  ......  ###       ",
+    "   -   ###  ......  ###   -   ",
+    "  --   ###  ......  ###   --  ",
+    " ----- ###  ......  ### ----- ",
+    "  --   ###  ......  ###   --  ",
+    "   -   ###  ......  ###   -   ",
+    "       ###          ###       ",
+    "       ###          ###       ",
+)
+_CAR = (
+    "                      -       ",
+    "                      --      ",
+    "               ------------   ",
+    "               ------------   ",
+    "                      --      ",
+    "                      -       ",
+    "                              ",
+    "      ..................      ",
+    "      ..................      ",
+    "      ..................      ",
+    "      ..................      ",
+    "      ..................      ",
+    "        ####      ####        ",
+    "       ######    ######       ",
+    "       ######    ######       ",
+    "        ####      ####        ",
+)
+_INKS = {"#": BLACK, ".": _GREY, "-": _RED}
+
+Rows = Sequence[str]
+
+
+def of_joints(home: Rows, away: Rows) -> Picture:
+    """An arm that moves its joints: where it was in grey, where it comes to, and a turned arrow."""
+    ghost = ["".join(_WHITE if cell == _WHITE else _GREY for cell in row) for row in home]
+    both = [
+        "".join(b if a == _WHITE else a for a, b in zip(*rows, strict=True)) for rows in zip(away, ghost, strict=True)
+    ]
+    return _with_arrow(both, _TURNED)
+
+
+def of_line(there: Rows) -> Picture:
+    """An arm that goes straight on: where it begins, and a straight arrow."""
+    return _with_arrow(there, _STRAIGHT)
+
+
+def of_hand() -> Picture:
+    """A hand that opens or closes."""
+    return _drawn(_HAND)
+
+
+def of_base() -> Picture:
+    """A base that drives on."""
+    return _drawn(_CAR)
+
+
+def _with_arrow(rows: Rows, arrow: Rows) -> Picture:
+    """With a red arrow in the corner where least is."""
+    height, width = len(arrow), len(arrow[0])
+    corners = [(y, x) for y in (2, SIZE - 2 - height) for x in (2, SIZE - 2 - width)]
+
+    def hidden(corner: tuple[int, int]) -> int:
+        y, x = corner
+        return sum(cell != _WHITE for row in rows[y : y + height] for cell in row[x : x + width])
+
+    top, left = min(corners, key=hidden)
+    cells = [list(row) for row in rows]
+    for y, row in enumerate(arrow):
+        for x, sign in enumerate(row):
+            if sign in _INKS:
+                cells[top + y][left + x] = _RED
+    return framed(["".join(row) for row in cells])
+
+
+def _drawn(art: Rows) -> Picture:
+    """Signs as cells, in the middle."""
+    top = (SIZE - len(art)) // 2
+    left = (SIZE - len(art[0])) // 2
+    cells = [[_WHITE] * SIZE for _ in range(SIZE)]
+    for y, row in enumerate(art):
+        for x, sign in enumerate(row):
+            cells[top + y][left + x] = _INKS.get(sign, _WHITE)
+    return framed(["".join(row) for row in cells])
