@@ -9,7 +9,7 @@ import pytest
 from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
 from onika.host.processes.process_socket import ProcessSocket
-from onika.host.units import device_server as room
+from onika.host.units import device_messages as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.ring.device import DeviceOrder, DriveState

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.process.noted_process import NotedSupervisor
-from onika.host.units import device_server
+from onika.host.units import device_messages, device_server
 from onika.host.units.device_servers import DEVICES, DeviceServers
 from onika.ring.drive import DriveMode
 from onika.words.reason import Reason
@@ -9,7 +9,7 @@ from onika.words.reason import Reason
 
 @pytest.fixture
 def supervisor():
-    return NotedSupervisor(device_server.__name__, device_server.decode_order)
+    return NotedSupervisor(device_server.__name__, device_messages.decode_order)
 
 
 @pytest.fixture
@@ -39,23 +39,23 @@ def test_every_further_world_has_a_process_of_its_own_that_is_called_after_it(se
 
 def test_an_order_goes_to_the_server_of_its_world_alone(servers):  # R-E09
     servers.expect(["cell", "boxes"])
-    servers.send("boxes", device_server.OpenWorld("boxes"), (7,))
-    assert servers.of("boxes").orders == [(device_server.OpenWorld("boxes"), 7)]
+    servers.send("boxes", device_messages.OpenWorld("boxes"), (7,))
+    assert servers.of("boxes").orders == [(device_messages.OpenWorld("boxes"), 7)]
     assert servers.of("cell").orders == []
 
 
 def test_the_answers_of_one_are_not_taken_for_those_of_another(servers):  # R-E09
     servers.expect(["cell", "boxes"])
-    servers.answered(servers.of("boxes"), device_server.PartTouched())
+    servers.answered(servers.of("boxes"), device_messages.PartTouched())
     assert (servers.has_answered("boxes"), servers.has_answered("cell")) == (True, False)
-    assert servers.take_answer("boxes") == device_server.PartTouched()
+    assert servers.take_answer("boxes") == device_messages.PartTouched()
     assert not servers.has_answered("boxes")
 
 
 @pytest.mark.parametrize("comes_late", [True, False])
 def test_an_answer_that_nobody_waits_for_is_not_taken_for_that_to_the_next_question(servers, comes_late):  # R-X24
     servers.expect(["cell", "boxes"])
-    late, own = device_server.PartTouched(), device_server.Denied(Reason.plain("no"))
+    late, own = device_messages.PartTouched(), device_messages.Denied(Reason.plain("no"))
     for step in (servers.give_up, lambda world: servers.answered(servers.of(world), late))[:: 1 if comes_late else -1]:
         step("boxes")
     assert not servers.has_answered("boxes")
@@ -80,12 +80,12 @@ def test_how_all_drives_stand_is_answered_when_every_server_has_said_it(servers)
     cell, boxes = servers.of("cell"), servers.of("boxes")
     servers.ask_modes(told.append)
     servers.ask_modes(told.append)
-    servers.answered(cell, device_server.ModesTaken(modes_of("cell:arm")))
-    servers.answered(cell, device_server.ModesTaken({}))
+    servers.answered(cell, device_messages.ModesTaken(modes_of("cell:arm")))
+    servers.answered(cell, device_messages.ModesTaken({}))
     assert told == []
-    servers.answered(boxes, device_server.ModesTaken(modes_of("boxes:arm")))
+    servers.answered(boxes, device_messages.ModesTaken(modes_of("boxes:arm")))
     assert told == [modes_of("cell:arm") | modes_of("boxes:arm")]
-    servers.answered(boxes, device_server.ModesTaken({}))
+    servers.answered(boxes, device_messages.ModesTaken({}))
     assert told[1:] == [{}]
 
 

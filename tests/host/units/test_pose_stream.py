@@ -1,6 +1,6 @@
 from onika.host.processes.process_socket import ProcessSocket
 from onika.host.units import pose_stream
-from onika.host.units.device_server import decode_word
+from onika.host.units.device_messages import decode_word
 from onika.host.units.pose_stream import PoseStream
 
 MS = 1_000_000

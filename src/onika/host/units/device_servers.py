@@ -4,7 +4,7 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from onika.host.units import device_server
+from onika.host.units import device_messages
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.ring.drive import DriveMode
 from onika.words.reason import Reason
@@ -33,7 +33,7 @@ class DeviceServers:
     def __init__(self, supervisor: Supervisor) -> None:
         self._supervisor = supervisor
         self._homes: dict[str, Supervised] = {}
-        self._answers: dict[str, deque[device_server.Word]] = {}
+        self._answers: dict[str, deque[device_messages.Word]] = {}
         self._unawaited: Counter[str] = Counter()
         """By server, the answers that are still to come and that nobody waits for any more."""
         self._mode_questions: deque[_ModeQuestion] = deque()
@@ -57,26 +57,26 @@ class DeviceServers:
             name, title = f"{DEVICES} of {world}", Reason.of("host.the_device_server_of", world=world)
             self._homes[world] = self._launch(name, title) if self._homes else self._first
             if self._is_stopped:
-                self.send(world, device_server.StopAll())
+                self.send(world, device_messages.StopAll())
         return self._homes[world]
 
-    def send(self, world: str, order: device_server.Order, descriptors: tuple[int, ...] = ()) -> None:
+    def send(self, world: str, order: device_messages.Order, descriptors: tuple[int, ...] = ()) -> None:
         """Give the server of a world an order."""
-        self.of(world).post.send(device_server.encode(order), descriptors)
+        self.of(world).post.send(device_messages.encode(order), descriptors)
 
     def stop(self) -> None:
         """Every drive in hold, latched; also those of worlds that are opened from now on (law 27)."""
         self._is_stopped = True
-        self._send_all(device_server.StopAll())
+        self._send_all(device_messages.StopAll())
 
     def allow_motion(self) -> None:
         """After a stop: commands are heard again; nothing moves by itself."""
         self._is_stopped = False
-        self._send_all(device_server.AllowMotion())
+        self._send_all(device_messages.AllowMotion())
 
-    def answered(self, process: Supervised, word: device_server.Word) -> None:
+    def answered(self, process: Supervised, word: device_messages.Word) -> None:
         """One has answered."""
-        if isinstance(word, device_server.ModesTaken):
+        if isinstance(word, device_messages.ModesTaken):
             self._take_modes(process, word)
         elif self._unawaited[process.name]:
             self._unawaited[process.name] -= 1
@@ -87,7 +87,7 @@ class DeviceServers:
         """Whether the server of a world has answered what it was asked."""
         return bool(self._answers[self.of(world).name])
 
-    def take_answer(self, world: str) -> device_server.Word:
+    def take_answer(self, world: str) -> device_messages.Word:
         """Its answer; raises IndexError where there is none."""
         return self._answers[self.of(world).name].popleft()
 
@@ -105,7 +105,7 @@ class DeviceServers:
             answer({})
             return
         self._mode_questions.append(_ModeQuestion(answer, {process.name for process in self._living()}))
-        self._send_all(device_server.TakeModes())
+        self._send_all(device_messages.TakeModes())
 
     def lose(self) -> None:
         """One is gone: whatever the others drive holds, and who waits for them is answered."""
@@ -114,7 +114,7 @@ class DeviceServers:
         while self._mode_questions:
             self._mode_questions.popleft().answer({})
 
-    def _take_modes(self, process: Supervised, word: device_server.ModesTaken) -> None:
+    def _take_modes(self, process: Supervised, word: device_messages.ModesTaken) -> None:
         for question in self._mode_questions:
             if process.name in question.awaited:
                 question.awaited.discard(process.name)
@@ -124,9 +124,9 @@ class DeviceServers:
             question = self._mode_questions.popleft()
             question.answer(question.modes)
 
-    def _send_all(self, order: device_server.Order) -> None:
+    def _send_all(self, order: device_messages.Order) -> None:
         for process in self._living():
-            process.post.send(device_server.encode(order))
+            process.post.send(device_messages.encode(order))
 
     def _living(self) -> list[Supervised]:
         processes = self._supervisor.processes

@@ -2,14 +2,14 @@
 
 from collections.abc import Callable, Collection, Mapping
 
-from onika.host.units import device_server
+from onika.host.units import device_messages
 from onika.host.units.device_servers import DeviceServers
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.world_registry import split
 from onika.runtime.bus import Poses
 from onika.runtime.picture import SmallPicture
 
-Ask = Callable[[str, device_server.Order], device_server.Word]
+Ask = Callable[[str, device_messages.Order], device_messages.Word]
 """Ask the server of a world; raises ValueError where it does not answer."""
 
 
@@ -30,10 +30,10 @@ class ServedViews:
         if world not in self._opened or self._devices.is_lost:
             return None
         try:
-            answer = self._ask(world, device_server.DescribeWorld(world))
+            answer = self._ask(world, device_messages.DescribeWorld(world))
         except ValueError:  # something else failed meanwhile, and is told; nothing ends because of what is looked at
             return None
-        if isinstance(answer, device_server.WorldDescribed):
+        if isinstance(answer, device_messages.WorldDescribed):
             return answer.scene
         return None
 
@@ -41,7 +41,7 @@ class ServedViews:
         """Where the bodies of an open world are, as the device server said last; from then on it says so."""
         if world in self._opened and world not in self._streamed:
             self._streamed.add(world)
-            self._devices.send(world, device_server.StreamPoses(world))
+            self._devices.send(world, device_messages.StreamPoses(world))
         return self._poses.get(world)
 
     def picture(self, device: str) -> SmallPicture | None:
@@ -49,22 +49,22 @@ class ServedViews:
         world, camera = split(device)
         if world in self._opened and device not in self._looked_at:
             self._looked_at.add(device)
-            self._devices.send(world, device_server.ShowCamera(world, camera, True))
+            self._devices.send(world, device_messages.ShowCamera(world, camera, True))
         return self._small.get(device)
 
     def look_only_at(self, cameras: Collection[str]) -> None:
         """Nobody looks at any other camera any more."""
         for device in self._looked_at - set(cameras):
             world, camera = split(device)
-            self._devices.send(world, device_server.ShowCamera(world, camera, False))
+            self._devices.send(world, device_messages.ShowCamera(world, camera, False))
             self._looked_at.discard(device)
             self._small.pop(device, None)
 
     def pose_to(self, world: str, inlet: int) -> None:
         """From now on the device server says the same at this socket too."""
-        self._devices.send(world, device_server.StreamPoses(world), (inlet,))
+        self._devices.send(world, device_messages.StreamPoses(world), (inlet,))
 
-    def take(self, word: WorldPoses | device_server.PictureTaken) -> None:
+    def take(self, word: WorldPoses | device_messages.PictureTaken) -> None:
         """The device server says where everything is, or what a camera sees."""
         if isinstance(word, WorldPoses):
             self._poses[word.world] = (word.at_ns, word.rows, word.lit)

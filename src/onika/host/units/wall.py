@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 from typing import TypeVar
 
-from onika.host.units import device_server, rtpu
+from onika.host.units import device_messages, rtpu
 from onika.host.units.device_servers import DeviceServers
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.served_views import ServedViews
@@ -32,7 +32,7 @@ _ANSWER_S = 2.0
 """So long a device server may owe an answer: meanwhile nobody else is served."""
 
 
-_Answer = TypeVar("_Answer", device_server.DisplacedTaken, device_server.SnapshotsTaken)
+_Answer = TypeVar("_Answer", device_messages.DisplacedTaken, device_messages.SnapshotsTaken)
 
 
 class WallDriver:
@@ -106,14 +106,14 @@ class WallDriver:
             self._open(world)
         self._epoch += 1
         try:
-            answer = self._ask(world, device_server.ClaimDevice(device, self._epoch), _PATIENCE_S)
+            answer = self._ask(world, device_messages.ClaimDevice(device, self._epoch), _PATIENCE_S)
         except ValueError:  # granted late, it would be nobody's for ever
             if not self._devices.is_lost:
-                self._devices.send(world, device_server.FenceWriter(self._epoch))
+                self._devices.send(world, device_messages.FenceWriter(self._epoch))
             raise
-        if isinstance(answer, device_server.Denied):
+        if isinstance(answer, device_messages.Denied):
             raise ValueError(answer.reason)
-        if not isinstance(answer, device_server.Granted):
+        if not isinstance(answer, device_messages.Granted):
             raise ValueError(Reason.of("host.does_not_grant", device=device))
         self._claims[device] = (self._epoch, name)
         return answer.grant
@@ -122,7 +122,7 @@ class WallDriver:
         """Give a device back."""
         epoch, _ = self._claims.pop(device, (0, ""))  # a camera may be given back more than once
         world, _ = split(device)
-        self._devices.send(world, device_server.ReleaseDevice(device, epoch))
+        self._devices.send(world, device_messages.ReleaseDevice(device, epoch))
 
     def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
         """Launch a processing unit; answered with nothing when it is up, else with the reason. Nothing waits for it."""
@@ -166,20 +166,20 @@ class WallDriver:
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self.worlds)
-        answer = self._ask(world, device_server.TouchPart(world, part, value))
-        if isinstance(answer, device_server.Denied):
+        answer = self._ask(world, device_messages.TouchPart(world, part, value))
+        if isinstance(answer, device_messages.Denied):
             raise ValueError(answer.reason)
 
     def put_back(self, world: str) -> None:
         """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
         refuse_unknown(world, self.worlds)
-        answer = self._ask(world, device_server.PutWorldBack(world))
-        if isinstance(answer, device_server.Denied):
+        answer = self._ask(world, device_messages.PutWorldBack(world))
+        if isinstance(answer, device_messages.Denied):
             raise ValueError(answer.reason)
 
     def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
-        answers = self._answers(device_server.TakeDisplaced(), device_server.DisplacedTaken)
+        answers = self._answers(device_messages.TakeDisplaced(), device_messages.DisplacedTaken)
         return {world: reasons for answer in answers for world, reasons in answer.displaced.items()}
 
     def unshare(self, name: str) -> None:
@@ -273,7 +273,7 @@ class WallDriver:
             post.post.flush()
             while (received := post.post.receive()) is not None:
                 if self._devices.is_one(post):
-                    self._word(post, device_server.decode_word(received[0]))
+                    self._word(post, device_messages.decode_word(received[0]))
                 else:
                     for decode_news in rtpu.decode_news(received[0]):
                         self._news(post, decode_news)
@@ -287,20 +287,20 @@ class WallDriver:
                 (supervised.name, heard)
             )  # heard by the runner in its turn, never in the midst of an order
 
-    def _word(self, supervised: Supervised, word: device_server.Word) -> None:
+    def _word(self, supervised: Supervised, word: device_messages.Word) -> None:
         match word:
-            case device_server.ServerReady():
+            case device_messages.ServerReady():
                 supervised.is_up = True
                 self.granted[supervised.name] = word.granted
-            case device_server.DriveChanged():
+            case device_messages.DriveChanged():
                 self._drives[f"{word.world}:{word.device}"] = word.state
                 self._tell(self._driven(word))
-            case WorldPoses() | device_server.PictureTaken():
+            case WorldPoses() | device_messages.PictureTaken():
                 self.views.take(word)
             case _:
                 self._devices.answered(supervised, word)
 
-    def _driven(self, word: device_server.DriveChanged) -> event.Drive:
+    def _driven(self, word: device_messages.DriveChanged) -> event.Drive:
         """In the world's time, and in that of the run that uses the drive."""
         device = f"{word.world}:{word.device}"
         began = self._listener.run_began(device) if self._listener is not None else 0
@@ -319,7 +319,7 @@ class WallDriver:
             for device in dead_writers(supervised.name, homes):
                 epoch, _ = self._claims[device]
                 world, _ = split(device)
-                self._devices.send(world, device_server.FenceWriter(epoch))
+                self._devices.send(world, device_messages.FenceWriter(epoch))
         if self._listener is not None:
             unit = "" if is_device_server else supervised.name
             self._listener.lost(unit, reason, self.now)
@@ -335,19 +335,19 @@ class WallDriver:
         self._segments.append(segment)
         server = self._devices.of(world)
         self._await(lambda: server.is_up, Reason.of("host.the_processes_to_start"))
-        self._devices.send(world, device_server.OpenWorld(world), (segment.fd, *(memory.fd for memory in handed)))
+        self._devices.send(world, device_messages.OpenWorld(world), (segment.fd, *(memory.fd for memory in handed)))
         answer = self._answer(world, _PATIENCE_S)
-        if isinstance(answer, device_server.Denied):
+        if isinstance(answer, device_messages.Denied):
             raise ValueError(answer.reason)
         self._opened[world] = self._sources.digest(world)
-        if isinstance(answer, device_server.WorldOpened) and answer.is_simulated:
+        if isinstance(answer, device_messages.WorldOpened) and answer.is_simulated:
             self._simulated.add(world)
         self._units.share(f"bus:{world}", segment)
 
-    def _taken(self) -> list[device_server.SnapshotsTaken]:
-        return self._answers(device_server.TakeSnapshots(), device_server.SnapshotsTaken)
+    def _taken(self) -> list[device_messages.SnapshotsTaken]:
+        return self._answers(device_messages.TakeSnapshots(), device_messages.SnapshotsTaken)
 
-    def _answers(self, order: device_server.Order, kind: type[_Answer]) -> list[_Answer]:
+    def _answers(self, order: device_messages.Order, kind: type[_Answer]) -> list[_Answer]:
         """What the servers of all open worlds answer; nothing where one does not any more."""
         if self._devices.is_lost:
             return []
@@ -357,11 +357,11 @@ class WallDriver:
             return []
         return [answer for answer in answers if isinstance(answer, kind)]
 
-    def _ask(self, world: str, order: device_server.Order, patience_s: float = _ANSWER_S) -> device_server.Word:
+    def _ask(self, world: str, order: device_messages.Order, patience_s: float = _ANSWER_S) -> device_messages.Word:
         self._devices.send(world, order)
         return self._answer(world, patience_s)
 
-    def _answer(self, world: str, patience_s: float) -> device_server.Word:
+    def _answer(self, world: str, patience_s: float) -> device_messages.Word:
         waited_for = Reason.of("host.the_device_server_to_answer")
         try:
             self._await(lambda: self._devices.has_answered(world), waited_for, patience_s)
