@@ -79,7 +79,7 @@ class Server:
 
 @pytest.fixture
 def server(monkeypatch):
-    monkeypatch.setattr(room, "open_world", open_world)
+    monkeypatch.setattr("onika.host.units.device_server.open_world", open_world)
     server = Server()
     yield server
     server.close()
