@@ -235,6 +235,13 @@ def test_devices_that_do_not_go_together_are_told_at_the_last_of_their_tasks(): 
     assert loading.questions == [("yard", ("m0", "m1"), False)]
 
 
+def test_devices_that_are_named_in_the_reason_are_told_at_their_own_task():  # law 18, R-B07
+    why = Reason.of("workcell.one_place", first="m1", other="m0")
+    tasks = [*devices("yard:m1", "yard:m0"), wired("hand", hardware=True, device="yard:m2")]
+    told = unfit_together(tasks, Judged(company=(why,)))
+    assert told == [fault_of(tasks[0], Reason.of("host.devices_unfit", world="yard", why=why))]
+
+
 def test_one_device_alone_goes_with_everything_and_a_world_that_cannot_say_is_one_fault():  # law 18, R-B07
     broken = Fault(Place("w"), UNLIKE, NOT_RUN)
     assert unfit_together(devices("yard:m0", "field:m0"), Judged(company=(UNLIKE,))) == []

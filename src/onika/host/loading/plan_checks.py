@@ -168,8 +168,10 @@ def unfit_together(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list
         reasons = loading.company(world, tuple(sorted(claimed))) if len(claimed) > 1 else ()
         if isinstance(reasons, Fault):
             return [reasons]
-        last = max(claimed.values(), key=lambda wired_task: wired_task.name)
-        faults += [_union(last, Reason.of("host.devices_unfit", world=world, why=why)) for why in reasons]
+        for why in reasons:
+            named = [wired_task for name, wired_task in claimed.items() if name in why.args.values()]
+            last = max(named or claimed.values(), key=lambda wired_task: wired_task.name)
+            faults.append(_union(last, Reason.of("host.devices_unfit", world=world, why=why)))
     return faults
 
 

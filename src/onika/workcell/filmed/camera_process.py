@@ -119,7 +119,7 @@ def serve(post: socket.socket, film: Film, memory: memoryview) -> None:
                 answer = world.expose(exposure)
             # whatever a graphics driver or its loader raises means the same here
             except Exception as fault:
-                why = Reason.plain(" ".join(f"{os.environ.get('MUJOCO_GL', '')}: {fault}".split())[:200])
+                why = Reason.plain(" ".join(f"{os.environ.get('MUJOCO_GL', '')}: {fault}".split())[:200].rstrip(". "))
                 answer = Exposed(exposure.eye, exposure.taken_ns, why=why)
         post.send(encode(answer))
     if world is not None:
