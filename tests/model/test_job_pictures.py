@@ -20,7 +20,10 @@ def test_an_arrow_stands_where_least_is():  # R-X19, R-B11
         assert sum(red) == sum(row.count("0") for row in rows) > 20
 
 
-def test_a_hand_and_a_base_are_drawn_by_themselves():  # R-X19, R-B11
-    assert job_pictures.of_hand() != job_pictures.of_base()
-    assert all(set("068") <= {cell for row in picture.rows for cell in row}
-               for picture in (job_pictures.of_hand(), job_pictures.of_base()))  # fmt: skip
+DRAWN = ("of_hand", "of_opened", "of_closed", "of_base", "of_goal", "of_goal_behind")
+
+
+def test_what_a_hand_and_a_base_do_is_drawn_each_in_its_own_way():  # R-X19, R-B11
+    pictures = [getattr(job_pictures, name)() for name in DRAWN]
+    assert len({picture.rows for picture in pictures}) == len(DRAWN)
+    assert all({"0", "7", "8"} <= {cell for row in picture.rows for cell in row} for picture in pictures)

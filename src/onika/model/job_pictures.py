@@ -1,4 +1,4 @@
-"""Pictures of the jobs of a robot for which nobody has drawn any: made of pictures of the robot itself (§5.6.2)."""
+"""Pictures of jobs and targets of a robot for which nobody has drawn any, some made of pictures of it (§5.6.2)."""
 
 from collections.abc import Sequence
 
@@ -62,6 +62,54 @@ _CAR = (
     "       ######    ######       ",
     "        ####      ####        ",
 )
+_OPENED = (
+    "            ######            ",
+    "            ######            ",
+    "            ######            ",
+    " ############################ ",
+    " ############################ ",
+    " ############################ ",
+    " ###                      ### ",
+    " ###                      ### ",
+    " ###                      ### ",
+    " ###     -          -     ### ",
+    " ###    --          --    ### ",
+    " ###   ------    ------   ### ",
+    " ###    --          --    ### ",
+    " ###     -          -     ### ",
+    " ###                      ### ",
+    " ###                      ### ",
+    " ###                      ### ",
+)
+_CLOSED = (
+    "            ######            ",
+    "            ######            ",
+    "            ######            ",
+    " ############################ ",
+    " ############################ ",
+    " ############################ ",
+    "            ### ###           ",
+    "            ### ###           ",
+    "            ### ###           ",
+    "       -    ### ###    -      ",
+    "       --   ### ###   --      ",
+    "   ------   ### ###   ------  ",
+    "       --   ### ###   --      ",
+    "       -    ### ###    -      ",
+    "            ### ###           ",
+    "            ### ###           ",
+    "            ### ###           ",
+)
+_GOAL = (
+    "                      ######  ",
+    "                     ##    ## ",
+    "             -       #  --  # ",
+    "             --      # ---- # ",
+    "   --------------    # ---- # ",
+    "   --------------    #  --  # ",
+    "             --      ##    ## ",
+    "             -        ######  ",
+)
 _INKS = {"#": BLACK, ".": _GREY, "-": _RED}
 
 Rows = Sequence[str]
@@ -84,6 +132,26 @@ def of_line(there: Rows) -> Picture:
 def of_hand() -> Picture:
     """A hand that opens or closes."""
     return _drawn(_HAND)
+
+
+def of_opened() -> Picture:
+    """A hand that is open."""
+    return _drawn(_OPENED)
+
+
+def of_closed() -> Picture:
+    """A hand that is closed."""
+    return _drawn(_CLOSED)
+
+
+def of_goal() -> Picture:
+    """A place straight on."""
+    return _drawn(_GOAL)
+
+
+def of_goal_behind() -> Picture:
+    """A place straight back."""
+    return _drawn([row[::-1] for row in _GOAL])
 
 
 def of_base() -> Picture:

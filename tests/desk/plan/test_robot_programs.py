@@ -54,7 +54,7 @@ def test_the_test_demands_that_the_joints_are_home_in_the_end():  # R-X19
 def test_icons_show_the_robot_and_what_it_does_and_other_ones_bear_letters():  # R-X19, R-B11
     home, away = (drawn(letters) for letters in ("X", "Y"))
     texts = dict(replace(ALL, draft=structs.replace(DRAFT, pictures=(home.rows, away.rows))).texts())
-    shown = {"home": home, "away": away, "open": drawn("crane_open")}
+    shown = {"home": home, "away": away, "open": job_pictures.of_opened(), "line": job_pictures.of_goal()}
     for name, picture in shown.items():
         assert rows_of(texts[f"dict/crane_{name}.onk"]) == picture.rows
     assert rows_of(texts["dict/jmove_craneC.onk"]) == job_pictures.of_joints(home.rows, away.rows).rows

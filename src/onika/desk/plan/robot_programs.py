@@ -174,7 +174,15 @@ class RobotPrograms:
         return self._pictures().get(name) or drawn(name)
 
     def _pictures(self) -> dict[str, Picture]:
-        pictures = {f"grip_{self.name}C": job_pictures.of_hand(), f"drive_{self.name}C": job_pictures.of_base()}
+        pictures = {
+            f"grip_{self.name}C": job_pictures.of_hand(),
+            f"{self.name}_open": job_pictures.of_opened(),
+            f"{self.name}_closed": job_pictures.of_closed(),
+            f"drive_{self.name}C": job_pictures.of_base(),
+            f"{self.name}_ahead": job_pictures.of_goal(),
+            f"{self.name}_start": job_pictures.of_goal_behind(),
+            f"{self.name}_line": job_pictures.of_goal(),
+        }
         if self.draft.pictures:
             home, away = self.draft.pictures
             pictures |= {f"{self.name}_home": Picture(home), f"{self.name}_away": Picture(away)}
