@@ -12,6 +12,8 @@ const AMONG_WORDS: Partial<Record<TextKey, TextKey>> = {
   'guide.holeSay': 'guideWords.holeSay',
   'guide.changeSay': 'guideWords.changeSay',
   'guide.inside': 'guideWords.inside',
+  'upper.empty.title': 'upper.emptyWords.title',
+  'upper.empty.say': 'upper.emptyWords.say',
   'upper.first.title1': 'upper.firstWords.title1',
   'upper.first.joinSay': 'upper.firstWords.joinSay',
   'upper.first.fitSay': 'upper.firstWords.fitSay',

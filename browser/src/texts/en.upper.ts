@@ -160,6 +160,9 @@ export const enUpper = {
     'Pictures fit where their edges fit, as in a jigsaw. A coloured edge wants a neighbour of the same colour and shape: the job that has it needs to be told where, or how far. If that piece is not there yet, a hole keeps its place.',
   'upper.empty.how':
     'Drag one in from the left; or click it there and then press the right button here; or press `/` and type.',
+  'upper.emptyWords.title': 'Drop a box between go and stop.',
+  'upper.emptyWords.say':
+    'What does not fit is refused, with the reason. A job that moves needs to be told where, or how far: its target comes right behind it. If that is not there yet, a hole keeps its place.',
   'upper.first.label': 'How to begin',
   'upper.first.title1': 'Join pictures.',
   'upper.first.title2': 'They become a program.',
