@@ -139,6 +139,23 @@ def test_the_parts_of_the_time_add_up_whatever_happens(events):  # R-H02
     assert of.selections + of.unselected == of.insertions
 
 
+def test_the_panel_of_a_new_application_is_its_request():  # R-H02
+    log = LogText().start().put(3.0, "open_view", "newApplication", "0", "none", "0", "main")
+    log.put(1.5, "type_value", "How many flows", "f", "2", "0", "appl").new(0.5)
+    log.put(0.1, "close_view", "newApplication", "0", "none", "0", "main").select(2.0).insert(1.0).run(1.0, 4.0).quit()
+    figures, _ = measured(log.text)
+    assert (figures.request_s, figures.selection_s, figures.other_s) == (2.0, 2.0, pytest.approx(0.1))
+    assert figures.elapsed_s == pytest.approx(10.1)
+
+
+def test_a_panel_that_was_closed_asked_for_nothing():  # R-H02
+    log = LogText().start().put(3.0, "open_view", "newApplication", "0", "none", "0", "main")
+    log.put(9.0, "close_view", "newApplication", "0", "none", "0", "main").new(1.0)
+    figures, _ = measured(log.select(2.0).insert(1.0).run(1.0, 4.0).quit().text)
+    assert figures.request_s == 0.0
+    assert figures.elapsed_s == pytest.approx(8.0)
+
+
 def test_times_are_those_that_the_log_writes_and_no_noise_of_their_size():  # R-H02
     text = LogText().start().new().select(0.065).insert(0.143).run(1.0, 0.2).quit().text
     figures, (selection,) = measured(text)

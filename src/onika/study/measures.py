@@ -13,7 +13,7 @@ from itertools import pairwise
 from statistics import fmean, stdev
 
 from onika.study.log import LogEntry, elapsed_s
-from onika.study.session import RUN, TRY_NEW, TRY_RUN, StudyTask, is_end
+from onika.study.session import CLOSE, NEW, RUN, TRY_NEW, TRY_RUN, StudyTask, is_end, is_request
 
 PAUSE_S = 15.0
 """An interval without an event, outside of runs, that is at least so long counts as a pause."""
@@ -37,7 +37,7 @@ class TaskMeasures:
     building_s: float
     """Elapsed time but for that of runs, as in tables 1 to 3."""
     request_s: float
-    """Up to the new application, from the press that asked for it."""
+    """Up to the new application, from the press or the panel that asked for it."""
     selection_s: float
     selections: int
     """Meaningful ones."""
@@ -103,6 +103,8 @@ class _Meter:
     ended: frozenset[tuple[float, int]] = frozenset()
     """Times and lines at which runs begin whose end is known: of others nobody knows how long they went."""
     is_running: bool = False
+    is_requesting: bool = False
+    """A new application was asked for, and is not there yet."""
 
     def follow(self, before: LogEntry, entry: LogEntry) -> None:
         """Time passes from one entry to the next."""
@@ -114,17 +116,23 @@ class _Meter:
         else:
             if seconds >= PAUSE_S:
                 self.pauses.append(seconds)
-            self._part(before, entry, seconds)
+            self._part(entry, seconds)
         self.note(entry)
 
     def note(self, entry: LogEntry) -> None:
         """What an entry changes, whatever time passed before it."""
+        if is_request(entry) or entry.event in (NEW, CLOSE):
+            self.is_requesting = is_request(entry)
         if entry.event == RUN:
             self.is_running = (entry.at_s, entry.line) in self.ended
             self.since_edit.clear()
         elif is_end(entry):
             self.is_running = False
             self.since_edit.clear()
+        self._tally(entry)
+
+    def _tally(self, entry: LogEntry) -> None:
+        """What is counted and takes no time of its own."""
         if entry.event in _DELETIONS and entry.window == "appl":
             self._count("deletions", len(entry.id.split(",")))
         elif entry.event == "undo":
@@ -132,7 +140,7 @@ class _Meter:
         elif entry.event.startswith("try_") and entry.event not in (TRY_RUN, TRY_NEW):
             self._count("refused")
 
-    def _part(self, before: LogEntry, entry: LogEntry, seconds: float) -> None:
+    def _part(self, entry: LogEntry, seconds: float) -> None:
         match entry.event:
             case "select_icon" if entry.window == "dict":
                 self._select(entry, seconds)
@@ -140,7 +148,7 @@ class _Meter:
                 self._insert(seconds)
             case "run_appl" | "try_run_appl":
                 self._check(seconds)
-            case "new_appl" if before.event == TRY_NEW:
+            case _ if self.is_requesting:
                 self._spend("request", seconds)
             case _:
                 self._later("other", seconds)

@@ -13,6 +13,9 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
 NEW, TRY_NEW = "new_appl", "try_new_appl"
+OPEN, CLOSE = "open_view", "close_view"
+_FORM = "newApplication"
+"""What the page calls the panel that asks how many flows a new application shall have."""
 RUN, TRY_RUN = "run_appl", "try_run_appl"
 END = "end_appl"
 SUCCESS = "succeed_appl"
@@ -42,6 +45,11 @@ class StudyTask:
     """The attempt that counts as success."""
     later: int = 0
     """Attempts after it."""
+
+
+def is_request(entry: LogEntry) -> bool:
+    """Whether a new application is asked for: by a press, as the thesis's logger has it, or by a panel of the page."""
+    return entry.event == TRY_NEW or (entry.event == OPEN and entry.object == _FORM)
 
 
 def is_end(entry: LogEntry) -> bool:
@@ -110,16 +118,35 @@ def _parts(entries: Sequence[LogEntry]) -> Iterator[tuple[LogEntry, ...]]:
 
 
 def _is_new(entries: Sequence[LogEntry], index: int) -> bool:
-    """Whether a new application is asked for: of press and answer the press counts."""
-    event = entries[index].event
-    before = entries[index - 1].event if index else ""
-    return event == TRY_NEW or (event == NEW and before != TRY_NEW)
+    """Whether a new application is asked for: of request and answer the request counts, where there is one."""
+    entry = entries[index]
+    if entry.event == TRY_NEW:
+        return True
+    if is_request(entry):
+        later = (entries[at] for at in range(index + 1, len(entries)))
+        return next((after.event for after in later if _ends_request(after)), "") == NEW
+    return entry.event == NEW and not _is_requested(entries, index)
+
+
+def _is_requested(entries: Sequence[LogEntry], index: int) -> bool:
+    """Whether a request stands before this new application, and nothing between them has ended it."""
+    earlier = (entries[at] for at in range(index - 1, -1, -1))
+    before = next((entry for entry in earlier if _ends_request(entry)), None)
+    return before is not None and is_request(before)
+
+
+def _ends_request(entry: LogEntry) -> bool:
+    return entry.event == CLOSE or _begins_task(entry)
 
 
 def _success(attempts: Sequence[Attempt], succeeded: int | None) -> Attempt | None:
     if succeeded is not None:
         return next((attempt for number, attempt in enumerate(attempts, 1) if number == succeeded), None)
     return next((attempt for attempt in attempts if attempt.is_completed), None)
+
+
+def _begins_task(entry: LogEntry) -> bool:
+    return entry.event == NEW or is_request(entry)
 
 
 def _until(part: Sequence[LogEntry], success: Attempt) -> tuple[LogEntry, ...]:
@@ -136,7 +163,7 @@ def _faults(
     if not entries:
         return
     place = Place(log.name, entries[0].line)
-    if entries[0].event not in (NEW, TRY_NEW):
+    if not _begins_task(entries[0]):
         yield Fault(place, Reason.of("study.no_new"), Reason.of("study.counts_from_first"))
     if len(parts) > 1:
         before = Reason.of("study.parts_before", count=len(parts) - 1)
