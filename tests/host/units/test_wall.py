@@ -198,7 +198,7 @@ def test_a_device_whose_claim_was_given_up_is_nobodys_and_can_be_claimed_again(m
     try:
         driver.grant("rt0", "boxes:arm_left")  # its world is open from now on
         with monkeypatch.context() as broken:
-            broken.setattr(driver, "_await", fails)
+            broken.setattr(driver._worlds, "_wait", fails)
             with pytest.raises(ValueError, match="a unit was lost meanwhile"):
                 driver.grant("rt0", "boxes:gripper_left")
         assert driver.grant("rt0", "boxes:gripper_left").name == "gripper_left"
@@ -213,7 +213,7 @@ def test_a_look_at_a_world_that_is_broken_off_shows_nothing_and_ends_nothing(mon
     try:
         driver.grant("rt0", "boxes:arm_left")
         with monkeypatch.context() as broken:
-            broken.setattr(driver, "_await", fails)
+            broken.setattr(driver._worlds, "_wait", fails)
             assert driver.views.scene("boxes") is None
         assert driver.views.scene("boxes") is not None
     finally:

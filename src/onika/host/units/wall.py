@@ -4,35 +4,24 @@ import select
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
-from typing import TypeVar
 
 from onika.host.units import device_messages, rtpu
 from onika.host.units.device_servers import DeviceServers
+from onika.host.units.opened_worlds import PATIENCE_S, OpenedWorlds
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.served_views import ServedViews
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import UnitListener
-from onika.host.units.unit_loss import dead_writers
 from onika.host.units.unit_processes import UnitProcesses
-from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
-from onika.host.units.world_sources import WorldSources, packed
 from onika.ring.begin_words import BeginWords
 from onika.ring.device import DriveState
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
-from onika.ring.segment import Segment, SharedMemoryRefused
+from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
 from onika.wire.world_source import WorldSource
-from onika.words.reason import Reason, reason_of
-
-_PATIENCE_S = 15.0
-_ANSWER_S = 2.0
-"""So long a device server may owe an answer: meanwhile nobody else is served."""
-
-
-_Answer = TypeVar("_Answer", device_messages.DisplacedTaken, device_messages.SnapshotsTaken)
+from onika.words.reason import Reason
 
 
 class WallDriver:
@@ -48,23 +37,20 @@ class WallDriver:
         self.turn = 0
         self.options: tuple[str, ...] = ()
         self._supervisor = Supervisor(self._zero, with_fifo)
-        self._segments: list[Segment] = []
-        self._opened: dict[str, str] = {}
-        self._sources = WorldSources()
-        self._simulated: set[str] = set()
-        self._claims: dict[str, tuple[int, str]] = {}
-        self._epoch = 0
         self._listener: UnitListener | None = None
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
         self._devices = DeviceServers(self._supervisor)
-        self.views = ServedViews(self._devices, self._opened, self._ask)
         self._units = UnitProcesses(self._supervisor, rtpus)
+        self._worlds = OpenedWorlds(self._devices, self._await, self._units.share)
+        self.views = ServedViews(self._devices, self._worlds.opened, self._worlds.ask)
         processes = self._supervisor.processes
         try:
             self._await(
-                lambda: all(process.is_up for process in processes.values()), Reason.of("host.the_processes_to_start")
+                lambda: all(process.is_up for process in processes.values()),
+                Reason.of("host.the_processes_to_start"),
+                PATIENCE_S,
             )
         except BaseException:
             self.close()
@@ -101,28 +87,11 @@ class WallDriver:
 
     def grant(self, name: str, device: str) -> command.DeviceGrant:
         """Claim a device; raises ValueError with the reason."""
-        world, _ = split(device)
-        if world not in self._opened:
-            self._open(world)
-        self._epoch += 1
-        try:
-            answer = self._ask(world, device_messages.ClaimDevice(device, self._epoch), _PATIENCE_S)
-        except ValueError:  # granted late, it would be nobody's for ever
-            if not self._devices.is_lost:
-                self._devices.send(world, device_messages.FenceWriter(self._epoch))
-            raise
-        if isinstance(answer, device_messages.Denied):
-            raise ValueError(answer.reason)
-        if not isinstance(answer, device_messages.Granted):
-            raise ValueError(Reason.of("host.does_not_grant", device=device))
-        self._claims[device] = (self._epoch, name)
-        return answer.grant
+        return self._worlds.grant(name, device)
 
     def release(self, device: str) -> None:
         """Give a device back."""
-        epoch, _ = self._claims.pop(device, (0, ""))  # a camera may be given back more than once
-        world, _ = split(device)
-        self._devices.send(world, device_messages.ReleaseDevice(device, epoch))
+        self._worlds.release(device)
 
     def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
         """Launch a processing unit; answered with nothing when it is up, else with the reason. Nothing waits for it."""
@@ -130,12 +99,12 @@ class WallDriver:
 
     def offer(self, worlds: Iterable[WorldSource]) -> None:
         """These worlds are files; they are opened when a device of them is granted."""
-        self._sources.take(worlds)
+        self._worlds.offer(worlds)
 
     @property
     def opened(self) -> Mapping[str, str]:
         """The worlds that are open, each with what names the files that it was made of."""
-        return self._opened
+        return self._worlds.opened
 
     def expect(self, worlds: Iterable[str]) -> None:
         """These worlds will be opened; nothing waits for what is prepared for that."""
@@ -152,12 +121,12 @@ class WallDriver:
     @property
     def worlds(self) -> tuple[str, ...]:
         """The worlds that are open."""
-        return tuple(sorted(self._opened))
+        return self._worlds.names
 
     @property
     def simulated(self) -> tuple[str, ...]:
         """Those of them in which nothing outside the program moves."""
-        return tuple(sorted(self._simulated))
+        return self._worlds.simulated
 
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
         """How every drive stands; answered when all device servers have said it, or one is gone: then with nothing."""
@@ -165,22 +134,15 @@ class WallDriver:
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
-        refuse_unknown(world, self.worlds)
-        answer = self._ask(world, device_messages.TouchPart(world, part, value))
-        if isinstance(answer, device_messages.Denied):
-            raise ValueError(answer.reason)
+        self._worlds.touch(world, part, value)
 
     def put_back(self, world: str) -> None:
         """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
-        refuse_unknown(world, self.worlds)
-        answer = self._ask(world, device_messages.PutWorldBack(world))
-        if isinstance(answer, device_messages.Denied):
-            raise ValueError(answer.reason)
+        self._worlds.put_back(world)
 
     def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
-        answers = self._answers(device_messages.TakeDisplaced(), device_messages.DisplacedTaken)
-        return {world: reasons for answer in answers for world, reasons in answer.displaced.items()}
+        return self._worlds.displaced()
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
@@ -249,11 +211,11 @@ class WallDriver:
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
-        return {world: snapshot for taken in self._taken() for world, snapshot in taken.snapshots.items()}
+        return self._worlds.snapshots()
 
     def standings(self) -> dict[str, tuple[Reason, ...]]:
         """What the worlds say of how they stand."""
-        return {world: sentences for taken in self._taken() for world, sentences in taken.standings.items()}
+        return self._worlds.standings()
 
     def watched(self) -> dict[str, bool]:
         """What happens that no program means is told in forecasts only: of each open world False."""
@@ -263,8 +225,7 @@ class WallDriver:
         """End every process."""
         self._supervisor.end()
         self._units.close()
-        for segment in self._segments:
-            segment.close()
+        self._worlds.close()
 
     # Inner
 
@@ -315,62 +276,12 @@ class WallDriver:
             self._devices.lose()
             self._units.send_all(command.Fail(reason))
         else:
-            homes = {device: home for device, (_, home) in self._claims.items()}
-            for device in dead_writers(supervised.name, homes):
-                epoch, _ = self._claims[device]
-                world, _ = split(device)
-                self._devices.send(world, device_messages.FenceWriter(epoch))
+            self._worlds.fence(supervised.name)
         if self._listener is not None:
             unit = "" if is_device_server else supervised.name
             self._listener.lost(unit, reason, self.now)
 
-    def _open(self, world: str) -> None:
-        files = self._sources.find(world)
-        refuse_unoffered(world, files)
-        try:
-            segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
-            handed = [packed(files)] if files is not None else []
-        except SharedMemoryRefused as refused:
-            raise ValueError(reason_of(refused)) from None
-        self._segments.append(segment)
-        server = self._devices.of(world)
-        self._await(lambda: server.is_up, Reason.of("host.the_processes_to_start"))
-        self._devices.send(world, device_messages.OpenWorld(world), (segment.fd, *(memory.fd for memory in handed)))
-        answer = self._answer(world, _PATIENCE_S)
-        if isinstance(answer, device_messages.Denied):
-            raise ValueError(answer.reason)
-        self._opened[world] = self._sources.digest(world)
-        if isinstance(answer, device_messages.WorldOpened) and answer.is_simulated:
-            self._simulated.add(world)
-        self._units.share(f"bus:{world}", segment)
-
-    def _taken(self) -> list[device_messages.SnapshotsTaken]:
-        return self._answers(device_messages.TakeSnapshots(), device_messages.SnapshotsTaken)
-
-    def _answers(self, order: device_messages.Order, kind: type[_Answer]) -> list[_Answer]:
-        """What the servers of all open worlds answer; nothing where one does not any more."""
-        if self._devices.is_lost:
-            return []
-        try:
-            answers = [self._ask(world, order) for world in self.worlds]
-        except ValueError:
-            return []
-        return [answer for answer in answers if isinstance(answer, kind)]
-
-    def _ask(self, world: str, order: device_messages.Order, patience_s: float = _ANSWER_S) -> device_messages.Word:
-        self._devices.send(world, order)
-        return self._answer(world, patience_s)
-
-    def _answer(self, world: str, patience_s: float) -> device_messages.Word:
-        waited_for = Reason.of("host.the_device_server_to_answer")
-        try:
-            self._await(lambda: self._devices.has_answered(world), waited_for, patience_s)
-        except ValueError:
-            self._devices.give_up(world)
-            raise
-        return self._devices.take_answer(world)
-
-    def _await(self, is_done: Callable[[], bool], what: Reason, patience_s: float = _PATIENCE_S) -> None:
+    def _await(self, is_done: Callable[[], bool], what: Reason, patience_s: float) -> None:
         """Serve the posts until something is there; raises ValueError when it does not come."""
         until = monotonic_ns() + round(patience_s * 1e9)
         while not is_done():
