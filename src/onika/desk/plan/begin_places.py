@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from msgspec import structs
 
+from onika.desk.plan.shifted_jump import shifted
 from onika.engine.program import FlowProgram
-from onika.wire.plan import Again, Choose, Do, Fork, Halt, Instruction, Jump, Meet, Plan, PlannedFlow, Rest, Unless
+from onika.wire.plan import Do, Fork, Halt, Instruction, Jump, Meet, Plan, PlannedFlow, Rest
 from onika.words.reason import Reason
 
 
@@ -114,12 +115,7 @@ def _moved_flow(flow: PlannedFlow, moved: set[int]) -> PlannedFlow:
 
 def _moved(instruction: Instruction, by: int, moved: set[int]) -> Instruction:
     """An instruction of a program before which so many others have come."""
-    match instruction:
-        case Choose():
-            return structs.replace(instruction, to=tuple(to + by for to in instruction.to))
-        case Again() | Unless() | Jump():
-            return structs.replace(instruction, to=instruction.to + by)
-        case Fork():
-            flows = tuple((number, place + (number in moved)) for number, place in instruction.flows)
-            return structs.replace(instruction, flows=flows)
-    return instruction
+    if isinstance(instruction, Fork):
+        flows = tuple((number, place + (number in moved)) for number, place in instruction.flows)
+        return structs.replace(instruction, flows=flows)
+    return shifted(instruction, by)

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 from msgspec import structs
 
+from onika.desk.plan.shifted_jump import shifted
 from onika.engine.program import straight
-from onika.wire.plan import Again, Choose, Fork, Instruction, Join, Jump, Meet, Plan, PlannedFlow, Unless
+from onika.wire.plan import Fork, Instruction, Join, Meet, Plan, PlannedFlow
 from onika.wire.rendezvous_link import SharedTag
 from onika.wire.request import TargetValues
 
@@ -72,16 +73,12 @@ def _flow(flow: PlannedFlow, numbers: Mapping[int, int]) -> PlannedFlow:
 def _moved(instruction: Instruction, numbers: Mapping[int, int], by: int) -> Instruction:
     """The instruction so many places later, where flows have other numbers."""
     match instruction:
-        case Choose():
-            return structs.replace(instruction, to=tuple(place + by for place in instruction.to))
-        case Again() | Unless() | Jump():
-            return structs.replace(instruction, to=instruction.to + by)
         case Fork():
             flows = tuple((numbers[number], place) for number, place in instruction.flows)
             return structs.replace(instruction, flows=flows)
         case Join():
             return structs.replace(instruction, flows=tuple(numbers[number] for number in instruction.flows))
-    return instruction
+    return shifted(instruction, by)
 
 
 def _tags(flow: PlannedFlow) -> list[str]:
