@@ -1559,7 +1559,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.text_without_icons": "este texto no es de iconos: {why}",
   "desk.text_without_tasks": "se esperaban tareas copiadas de una configuración, y hay {text} ({why})",
   "desk.that_icon_counts": "{path} también tiene un icono {name}: cuenta aquel, que viene antes",
-  "desk.the_start": "el inicio",
+  "desk.the_start": "la salida",
   "desk.there_already": "{path} ya existe",
   "desk.there_are": "{what} en la ruta de búsqueda (hay {count})",
   "desk.thing_count": "{count} cosas",
