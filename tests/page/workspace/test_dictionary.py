@@ -127,6 +127,7 @@ def test_an_open_dialog_keeps_every_key(me):  # R-G04
     me.has_steps(1)
     me.page.locator("body").press("Alt+t")
     panel = me.panel("New target")
+    expect(panel.get_by_label("Name", exact=True)).to_be_focused()
     keys.type("my place")
     keys.press("Tab")  # the button that has come is no stop
     expect(panel.get_by_label("Words")).to_be_focused()
