@@ -44,7 +44,7 @@ def test_an_arm_and_its_gripper_are_found_with_the_site_as_tool():  # R-X19
 def test_what_a_model_does_not_say_is_told():  # R-X19
     assert keys(PLAIN) >= {"workcell.draft_motors", "workcell.draft_endless", "workcell.draft_strong",
                            "workcell.draft_no_gripper"}  # fmt: skip
-    assert keys(ARM) == {"workcell.draft_coupled", "workcell.draft_few_joints"}
+    assert keys(ARM) == {"workcell.draft_coupled", "workcell.draft_line_few"}
 
 
 def test_every_line_that_is_no_plain_fact_says_where_it_comes_from():  # R-X19

@@ -2,8 +2,11 @@ from dataclasses import replace
 
 import mujoco
 import numpy as np
+import pytest
 
 from kit.worlds.file_cells import ARM, files_of
+from onika.laws import reach
+from onika.laws.arm_identity import arm_constants
 from onika.store.shipped import shipped
 from onika.workcell.composed.robot_model import robot_model
 from onika.workcell.composed.sources import SourceTexts
@@ -36,9 +39,16 @@ def test_a_posture_in_which_the_robot_meets_itself_is_not_taken():  # R-X19
     assert np.array_equal(beside_home(model, arm, elbow().excluded), arm.home)
 
 
-def test_an_arm_of_few_joints_goes_no_straight_line():  # R-X19
+def test_an_arm_of_few_joints_goes_straight_where_its_tool_keeps_its_direction():  # R-X19
     arm = facts()
-    assert straight_line(MODEL, arm, (arm,), arm.home) == ((), 0.0)
+    nine, _ = straight_line(MODEL, arm, (arm,), arm.home)
+    start = reach.poses(arm_constants({**arm.constants, "BASE": tuple(np.eye(4).ravel())}), [arm.home.tolist()])[0]
+    assert np.allclose(nine[:6], start[:6], atol=1e-6)
+    way = np.array(nine[6:9]) - start[6:9]
+    assert np.linalg.norm(way) == pytest.approx(0.06, abs=1e-5)
+    turned = replace(arm, lowest=np.append(arm.lowest[:2], 0.0), highest=np.append(arm.highest[:2], 0.0))
+    stuck = replace(turned, constants={**arm.constants, "QMIN": tuple(turned.lowest), "QMAX": tuple(turned.highest)})
+    assert straight_line(MODEL, stuck, (stuck,), arm.home) == ((), 0.0)
 
 
 def test_a_straight_line_takes_as_long_as_the_joints_need_for_it():  # R-X19

@@ -31,7 +31,7 @@ from onika.workcell.drafting.draft_gripper import DraftHand, draft_hand
 from onika.workcell.drafting.draft_home import DraftHome, draft_home
 from onika.workcell.drafting.draft_jaw import between_jaws
 from onika.workcell.drafting.draft_motion import (
-    LEAST_JOINTS,
+    ANY_POSE,
     beside_home,
     lowest_point,
     seconds_between,
@@ -148,9 +148,9 @@ def _complete(
     notes += doubtful_units(model, arm)
     notes += _missing(model, chain, arm, sources, known.robot.file)
     notes += [Reason.of("workcell.draft_still")] if np.array_equal(away, arm.home) else []
-    if not line:
-        no_line = "workcell.draft_no_line" if len(arm.joints) >= LEAST_JOINTS else "workcell.draft_few_joints"
-        notes += [Reason.of(no_line, count=len(arm.joints), least=LEAST_JOINTS)]
+    if not line or len(arm.joints) < ANY_POSE:
+        key = "workcell.draft_line_few" if line else "workcell.draft_no_line"
+        notes += [Reason.of(key, count=len(arm.joints))]
     notes += [Reason.of("workcell.draft_floor", floor=floor)] if floor else []
     notes += [Reason.of("workcell.draft_no_gripper")] if gripper is None else []
     notes += [hand.origin] if isinstance(hand.device, RobotAxes) else []

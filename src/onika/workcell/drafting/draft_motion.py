@@ -9,13 +9,13 @@ import numpy as np
 
 from onika.laws import reach
 from onika.laws.arm_identity import arm_constants
-from onika.laws.frames import Array
+from onika.laws.frames import Array, pose_of_nine
 from onika.workcell.composed import chain
 from onika.workcell.composed.joint_facts import JointFacts
 from onika.workcell.composed.robot_model import at_home
 
-LEAST_JOINTS = 6
-"""An arm of fewer joints goes no straight line to any pose."""
+ANY_POSE = 6
+"""So many joints come to any pose; an arm of fewer goes straight only where its tool may keep its direction."""
 
 _TURNS = (0.3, 0.2, 0.1)
 _DEEP_M = 0.001
@@ -54,12 +54,10 @@ def straight_line(
 
     The pose is that in a world whose middle is the middle of the model; `devices` stand at home.
     """
-    if len(facts.joints) < LEAST_JOINTS:
-        return (), 0.0
     stand = chain.body_pose(at_home(model, devices), int(model.body(facts.start).id))
     constants = arm_constants({**facts.constants, "BASE": tuple(stand.ravel().tolist())})
     nine = reach.poses(constants, [away.tolist()])[0]
-    for length, way in product(_LINES_M, _ways()):
+    for length, way in product(_LINES_M, _ways(nine)):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
         fastest = _fastest(reach.postures(constants, points, away.tolist()), away, facts.speed)
         if fastest <= _SLOWEST_S:
@@ -81,11 +79,12 @@ def lowest_point(model: Any, facts: JointFacts, postures: Sequence[Array]) -> fl
     return lowest
 
 
-def _ways() -> Iterator[Array]:
-    for axis, sign in product((2, 0, 1), (1.0, -1.0)):
-        way = np.zeros(3)
-        way[axis] = sign
-        yield way
+def _ways(nine: Array) -> Iterator[Array]:
+    """Directions along the axes of the world, up first, and then along those of the tool."""
+    turn = pose_of_nine(nine)[:3, :3]
+    for axes in (np.eye(3), turn.T):
+        for axis, sign in product((2, 0, 1), (1.0, -1.0)):
+            yield sign * axes[axis]
 
 
 def _shifted(nine: Array, way: Array, length: float) -> Array:
