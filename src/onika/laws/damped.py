@@ -51,20 +51,24 @@ class DampedInverse:
         near = np.clip(np.asarray(q_near, dtype=np.float64), self._low, self._high)
         if not np.isfinite(pose).all():
             return LawSentence("laws.pose_infinite", "the pose is not finite")
-        q, error = self._descend(pose, near)
-        if _size(error) <= _GRAIN:
-            return q
+        if not len(self._starts):
+            q, error = self._descend(pose, near, is_gentle=True)
+            return q if _size(error) <= _GRAIN else self._why_not(near, error)
+        tried = [self._descend(pose, near)]
+        if _size(tried[0][1]) <= _TOLERANCE:
+            return tried[0][0]
         solved = []
         for start in self._starts:
-            q, other = self._descend(pose, start)
-            if _size(other) <= _GRAIN:
-                solved.append(q)
-            error = min(error, other, key=_size)
+            tried.append(self._descend(pose, start))
+            if _size(tried[-1][1]) <= _TOLERANCE:
+                solved.append(tried[-1][0])
             if len(solved) == _ENOUGH:
                 break
         if solved:
             return min(solved, key=lambda q: float((q - near) @ (q - near)))
-        return self._why_not(near, error)
+        gentle = self._descend(pose, near, is_gentle=True)
+        q, error = gentle if _size(gentle[1]) <= _GRAIN else min(tried, key=lambda each: _size(each[1]))
+        return q if _size(error) <= _GRAIN else self._why_not(near, error)
 
     def _why_not(self, near: Array, error: Array) -> LawSentence:
         """Why a pose is out of reach; who looks only near the last posture is told what ends the way from there."""
@@ -79,24 +83,29 @@ class DampedInverse:
         spare = np.minimum(near - self._low, self._high - near)
         joint = int(spare.argmin())
         if spare[joint] < _AT_LIMIT:
-            sentence = "the way leads out of reach: joint {joint} stands at its limit"
-            return LawSentence("laws.way_ends_at_limit", sentence, joint=joint + 1)
+            return LawSentence(
+                "laws.way_ends_at_limit",
+                "the way leads out of reach: joint {joint} stands at its limit",
+                joint=joint + 1,
+            )
         return LawSentence("laws.way_ends", "the way leads out of reach: no posture beside the last one is on it")
 
-    def _descend(self, pose: Array, start: Array) -> tuple[Array, Array]:
+    def _descend(self, pose: Array, start: Array, *, is_gentle: bool = False) -> tuple[Array, Array]:
+        """Where the way from there ends, and what is left; gently it goes no further for what hardly counts."""
+        least = _LEAST_DAMPING if is_gentle else 1e-14
         q = start.copy()
         error = self._error(pose, q)
         before = last = math.inf
         for count in range(_ITERATIONS):
             size = _size(error)
-            if size <= _TOLERANCE or _GRAIN >= size > _LITTLE_LESS * last:
+            if size <= _TOLERANCE or (is_gentle and _GRAIN >= size > _LITTLE_LESS * last):
                 break
             last = size
             if count % _LOOK == 0:
                 if size > _LESS * before:
                     break
                 before = size
-            step = self._step(q, error, min(max(size * size, _LEAST_DAMPING), 1e-2))
+            step = self._step(q, error, min(size * size, 1e-2) + least)
             step *= min(1.0, _LONGEST_STEP / max(float(np.abs(step).max()), 1e-12))
             q = np.clip(q + step, self._low, self._high)
             error = self._error(pose, q)
