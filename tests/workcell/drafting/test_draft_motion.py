@@ -41,14 +41,15 @@ def test_a_posture_in_which_the_robot_meets_itself_is_not_taken():  # R-X19
 
 def test_an_arm_of_few_joints_goes_straight_where_its_tool_keeps_its_direction():  # R-X19
     arm = facts()
-    nine, _ = straight_line(MODEL, arm, (arm,), arm.home)
+    nine, _, along = straight_line(MODEL, arm, (arm,), arm.home)
     start = reach.poses(arm_constants({**arm.constants, "BASE": tuple(np.eye(4).ravel())}), [arm.home.tolist()])[0]
     assert np.allclose(nine[:6], start[:6], atol=1e-6)
     way = np.array(nine[6:9]) - start[6:9]
+    assert np.allclose(along[0], arm.home) and not np.allclose(along[-1], arm.home)
     assert np.linalg.norm(way) == pytest.approx(0.06, abs=1e-5)
     turned = replace(arm, lowest=np.append(arm.lowest[:2], 0.0), highest=np.append(arm.highest[:2], 0.0))
     stuck = replace(turned, constants={**arm.constants, "QMIN": tuple(turned.lowest), "QMAX": tuple(turned.highest)})
-    assert straight_line(MODEL, stuck, (stuck,), arm.home) == ((), 0.0)
+    assert straight_line(MODEL, stuck, (stuck,), arm.home) == ((), 0.0, ())
 
 
 def test_a_straight_line_takes_as_long_as_the_joints_need_for_it():  # R-X19
@@ -58,10 +59,10 @@ def test_a_straight_line_takes_as_long_as_the_joints_need_for_it():  # R-X19
     (arm,) = robot_model(sources, sources.robots["puma"], []).joints
     compiled = mujoco.MjModel.from_xml_string(model)
     away = beside_home(compiled, arm, ())
-    line, quick_s = straight_line(compiled, arm, (arm,), away)
+    line, quick_s, _ = straight_line(compiled, arm, (arm,), away)
     assert (len(line), quick_s) == (9, 3.0)
     slow = replace(arm, speed=arm.speed / 40.0)
-    again, slow_s = straight_line(compiled, slow, (slow,), away)
+    again, slow_s, _ = straight_line(compiled, slow, (slow,), away)
     assert again == line and slow_s > quick_s
 
 

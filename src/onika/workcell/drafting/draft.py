@@ -139,9 +139,9 @@ def _complete(
         known.robot.name, known.robot.file, known.robot.description, devices=devices, cameras=known.robot.cameras
     )
     away = beside_home(model, arm, known.excluded)
-    lowest = lowest_point(model, arm, (arm.home, away))
+    line, line_s, along = straight_line(model, arm, known.joints, away)
+    lowest = lowest_point(model, arm, (arm.home, away, *along))
     floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
-    line, line_s = straight_line(model, arm, known.joints, away)
     urdf_speeds = known.robot.file.endswith(_URDF)
     gripper = known.grippers[0] if known.grippers else None
     notes = [*chain.notes, *(Reason.of("workcell.draft_fault", reason=fault.reason) for fault in faults)]

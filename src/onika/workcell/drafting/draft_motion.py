@@ -49,8 +49,8 @@ def seconds_between(facts: JointFacts, away: Array) -> float:
 
 def straight_line(
     model: Any, facts: JointFacts, devices: Sequence[JointFacts], away: Array
-) -> tuple[tuple[float, ...], float]:
-    """The nine numbers of a pose to which the tool goes straight from there, and the seconds; empty: none was found.
+) -> tuple[tuple[float, ...], float, tuple[Array, ...]]:
+    """The nine numbers of a pose to which the tool goes straight from there, seconds, postures; empty: none was found.
 
     The pose is that in a world whose middle is the middle of the model; `devices` stand at home.
     """
@@ -59,10 +59,12 @@ def straight_line(
     nine = reach.poses(constants, [away.tolist()])[0]
     for length, way in product(_LINES_M, _ways(nine)):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
-        fastest = _fastest(reach.postures(constants, points, away.tolist()), away, facts.speed)
+        postures = reach.postures(constants, points, away.tolist())
+        fastest = _fastest(postures, away, facts.speed)
         if fastest <= _SLOWEST_S:
-            return tuple(np.round(points[-1], 6).tolist()), max(_LINE_S, float(np.ceil(fastest)))
-    return (), 0.0
+            seconds = max(_LINE_S, float(np.ceil(fastest)))
+            return tuple(np.round(points[-1], 6).tolist()), seconds, tuple(map(np.asarray, postures))
+    return (), 0.0, ()
 
 
 def lowest_point(model: Any, facts: JointFacts, postures: Sequence[Array]) -> float:
