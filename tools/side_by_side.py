@@ -17,6 +17,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import IO, cast
 
 GIVES_WAY = 10
@@ -68,17 +69,18 @@ class _Behind:
             stderr=subprocess.STDOUT,
             start_new_session=True,
         )
-        self._watcher = threading.Thread(target=self._watch)
-        self._watcher.start()
+        self._ended = threading.Event()
+        threading.Thread(target=self._watch).start()
 
     def wait(self) -> None:
-        """Until it has ended."""
-        self._watcher.join()
+        """Until it has ended; who is interrupted in it may wait again, as one may not for a thread (bpo-45274)."""
+        self._ended.wait()
 
     def end(self) -> dict[str, list[str]]:
         """End it where it is there still, since somebody has had enough; show it; its last lines, if it failed."""
-        if self._watcher.is_alive():
-            os.killpg(self._process.pid, signal.SIGKILL)
+        if not self._ended.is_set():
+            with suppress(ProcessLookupError):  # it has ended by itself in this moment
+                os.killpg(self._process.pid, signal.SIGKILL)
             self.wait()
         print(self._command, flush=True)
         with self._output as output:
@@ -90,6 +92,7 @@ class _Behind:
     def _watch(self) -> None:
         self._process.wait()
         self._took_s = time.monotonic() - self._begun_s
+        self._ended.set()
 
 
 def _carry_out(command: str) -> dict[str, list[str]]:

@@ -5,6 +5,7 @@ import select
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -78,3 +79,29 @@ def test_with_it_ends_who_is_behind(tmp_path):
         assert select.select([handle], [], [], PATIENCE_S)[0]
         os.close(handle)
     assert tool.returncode == 128 + signal.SIGTERM
+
+
+def test_with_it_ends_who_is_behind_also_when_it_waits_for_nobody_else(tmp_path):
+    words = [sys.executable, side_by_side.__file__, "true", "--behind", "exec sleep 1000"]
+    with subprocess.Popen([*words], stdout=subprocess.PIPE, text=True) as tool:
+        assert tool.stdout is not None
+        assert [tool.stdout.readline().partition(":")[0].strip() for _ in range(2)] == ["true", "true"]
+        (behind,) = children(tool.pid)
+        handle = os.pidfd_open(behind)
+        asleep(tool.pid)
+        tool.send_signal(signal.SIGTERM)
+        tool.stdout.read()
+        assert select.select([handle], [], [], PATIENCE_S)[0]
+        os.close(handle)
+    assert tool.returncode == 128 + signal.SIGTERM
+
+
+def children(pid):
+    return [int(one) for one in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def asleep(pid):
+    """Until a process waits: it has been seen so ten times, one after the other."""
+    seen = 0
+    while seen < 10:
+        seen = seen + 1 if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "S" else 0
