@@ -12,17 +12,10 @@ from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.hub import Hub
 from onika.web.page_front import PageFront
+from onika.web.replay_program import NoValues
 from onika.web.server import bound
 
 pytestmark = pytest.mark.site
-
-
-class NoValues:
-    def watch(self, *_):
-        pass
-
-    def frame(self):
-        return None
 
 
 class Program:

@@ -131,32 +131,32 @@ def of_line(there: Rows) -> Picture:
 
 def of_hand() -> Picture:
     """A hand that opens or closes."""
-    return _drawn(_HAND)
+    return _in_the_middle(_HAND)
 
 
 def of_opened() -> Picture:
     """A hand that is open."""
-    return _drawn(_OPENED)
+    return _in_the_middle(_OPENED)
 
 
 def of_closed() -> Picture:
     """A hand that is closed."""
-    return _drawn(_CLOSED)
+    return _in_the_middle(_CLOSED)
 
 
 def of_goal() -> Picture:
     """A place straight on."""
-    return _drawn(_GOAL)
+    return _in_the_middle(_GOAL)
 
 
 def of_goal_behind() -> Picture:
     """A place straight back."""
-    return _drawn([row[::-1] for row in _GOAL])
+    return _in_the_middle([row[::-1] for row in _GOAL])
 
 
 def of_base() -> Picture:
     """A base that drives on."""
-    return _drawn(_CAR)
+    return _in_the_middle(_CAR)
 
 
 def _with_arrow(rows: Rows, arrow: Rows) -> Picture:
@@ -169,20 +169,19 @@ def _with_arrow(rows: Rows, arrow: Rows) -> Picture:
         return sum(cell != _WHITE for row in rows[y : y + height] for cell in row[x : x + width])
 
     top, left = min(corners, key=hidden)
-    cells = [list(row) for row in rows]
-    for y, row in enumerate(arrow):
-        for x, sign in enumerate(row):
-            if sign in _INKS:
-                cells[top + y][left + x] = _RED
-    return framed(["".join(row) for row in cells])
+    return _drawn([row.replace("#", "-") for row in arrow], rows, top, left)
 
 
-def _drawn(art: Rows) -> Picture:
-    """Signs as cells, in the middle."""
-    top = (SIZE - len(art)) // 2
-    left = (SIZE - len(art[0])) // 2
-    cells = [[_WHITE] * SIZE for _ in range(SIZE)]
+def _in_the_middle(art: Rows) -> Picture:
+    blank = [_WHITE * SIZE] * SIZE
+    return _drawn(art, blank, (SIZE - len(art)) // 2, (SIZE - len(art[0])) // 2)
+
+
+def _drawn(art: Rows, ground: Rows, top: int, left: int) -> Picture:
+    """Signs as cells on what is there already."""
+    cells = [list(row) for row in ground]
     for y, row in enumerate(art):
         for x, sign in enumerate(row):
-            cells[top + y][left + x] = _INKS.get(sign, _WHITE)
+            if sign in _INKS:
+                cells[top + y][left + x] = _INKS[sign]
     return framed(["".join(row) for row in cells])
