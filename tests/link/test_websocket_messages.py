@@ -1,3 +1,5 @@
+import logging
+
 import pytest
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request
@@ -22,4 +24,8 @@ def test_a_text_is_refused():
 
 
 def test_headers_are_never_logged():
-    assert not SILENT.isEnabledFor(50)
+    assert not SILENT.isEnabledFor(logging.CRITICAL)
+
+
+def test_nothing_that_sets_up_logging_lets_headers_be_logged():
+    assert SILENT.name not in logging.root.manager.loggerDict

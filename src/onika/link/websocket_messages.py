@@ -7,9 +7,11 @@ from websockets.http11 import Request, Response
 
 from onika.words.reason import Reason
 
-SILENT = logging.getLogger("onika.websocket")
-"""For the protocol's own remarks, which would name headers and so tokens: nobody hears them."""
-SILENT.disabled = True
+SILENT = logging.Logger("onika.websocket", logging.CRITICAL + 1)
+"""For the protocol's own remarks, which would name headers and so tokens: nobody hears them.
+
+It is not among the loggers of the process: a library that sets up logging (Dask does) would let it speak again.
+"""
 
 
 class WebSocketMessages:
