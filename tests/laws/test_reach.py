@@ -4,7 +4,7 @@ import pytest
 from onika.laws import adept_one, puma560
 from onika.laws.arm import ArmModel
 from onika.laws.frames import nine_of_pose, pose_of_nine, rotation_of_rpy
-from onika.laws.reach import poses, postures, transfer, why_not
+from onika.laws.reach import poses, postures, postures_along, transfer, why_not
 from onika.laws.robot import published
 
 PUMA, SCARA = published(puma560, 0, 0, 0, 0), published(adept_one, 0, 0, 0, 0)
@@ -101,6 +101,13 @@ def test_the_elbow_stays_on_its_side_from_target_to_target():
     for elbow in (1.0, -1.0):
         near = np.array([-0.5 * elbow, 1.4 * elbow, 0.0, 0.0])
         assert {float(np.sign(q[1])) for q in postures(SCARA, poses, near)} == {elbow}
+
+
+def test_postures_along_a_way_are_looked_for_as_they_are_asked_for():  # law 26
+    (pose,) = poses(SCARA, [(0.4, 0.9, 0.05, -0.8)])
+    way = iter([pose, pose])
+    assert np.array_equal(next(postures_along(SCARA, way)), postures(SCARA, [pose])[0])
+    assert len(list(way)) == 1
 
 
 def test_nine_numbers_that_are_no_pose_are_a_reason():

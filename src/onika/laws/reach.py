@@ -4,12 +4,13 @@ Constants are those that a hardware task publishes (NDOF, SCREW, PARENT, BASE, T
 plain lists.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from onika.laws.arm import ArmModel
+from onika.laws.damped import STARTS
 from onika.laws.frames import Array, Numbers, nine_of_pose, pose_of_nine
 from onika.laws.inverse import Inverse, inverse_of
 from onika.laws.screws import screws, slides
@@ -63,17 +64,22 @@ def postures(constants: Constants, poses: Sequence[Numbers], near: Numbers | Non
 
     The first is the one nearest to `near`, where nothing is said to HOME.
     """
-    inverse = _inverse(constants)
+    return list(postures_along(constants, poses, near))
+
+
+def postures_along(
+    constants: Constants, poses: Iterable[Numbers], near: Numbers | None = None, starts: int = STARTS
+) -> Iterator[Array | str]:
+    """As `postures`, one by one as they are asked for; `starts` as in `inverse_for`, 0 for a way without jumps."""
+    inverse = _inverse(constants, starts)
     here = np.asarray(constants["HOME"] if near is None else near)
-    results: list[Array | str] = []
     for pose in poses:
         try:
             posture: Array | str = inverse.nearest(pose_of_nine(pose[:9]), here)
         except ValueError as wrong:
             posture = sentence_of(wrong)
         here = here if isinstance(posture, str) else posture
-        results.append(posture)
-    return results
+        yield posture
 
 
 def transfer(
@@ -97,8 +103,8 @@ def _arm(constants: Constants) -> ArmModel:
     return ArmModel(screw, parent=parent, base=base, tool=tool)
 
 
-def _inverse(constants: Constants) -> Inverse:
-    return inverse_of(_arm(constants), constants["QMIN"], constants["QMAX"])
+def _inverse(constants: Constants, starts: int = STARTS) -> Inverse:
+    return inverse_of(_arm(constants), constants["QMIN"], constants["QMAX"], starts)
 
 
 def _shifted(pose: Array, shift: Sequence[Any]) -> list[float]:

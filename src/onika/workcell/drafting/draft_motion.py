@@ -1,6 +1,6 @@
 """A little motion with which a new robot can be tried: beside home, free of itself, and a straight line from there."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any
 
@@ -59,11 +59,13 @@ def straight_line(
     nine = reach.poses(constants, [away.tolist()])[0]
     for length, way in product(_LINES_M, _ways(nine)):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
-        postures = reach.postures(constants, points, away.tolist())
-        fastest = _fastest(postures, away, facts.speed)
+        postures = _without_jump(reach.postures_along(constants, points, away.tolist(), starts=0), away)
+        if len(postures) < len(points):
+            continue
+        fastest = _fastest([away, *postures], facts.speed)
         if fastest <= _SLOWEST_S:
             seconds = max(_LINE_S, float(np.ceil(fastest)))
-            return tuple(np.round(points[-1], 6).tolist()), seconds, tuple(map(np.asarray, postures))
+            return tuple(np.round(points[-1], 6).tolist()), seconds, tuple(postures)
     return (), 0.0, ()
 
 
@@ -95,15 +97,21 @@ def _shifted(nine: Array, way: Array, length: float) -> Array:
     return moved
 
 
-def _fastest(postures: Sequence[Array | str], start: Array, speed: Array) -> float:
-    """In how many seconds these points of a line are passed without haste; infinite: a joint would have to jump."""
-    before, most = start, 0.0
+def _without_jump(postures: Iterable[Array | str], start: Array) -> list[Array]:
+    """The postures of a line up to where there is none, or a joint would jump; what lies behind is not asked for."""
+    before, passed = start, []
     for posture in postures:
         if isinstance(posture, str) or np.abs(posture - before).max() > _JUMP:
-            return np.inf
-        most = max(most, float(np.max(np.abs(posture - before) / speed)))
+            break
+        passed.append(posture)
         before = posture
-    return _HASTE * _POINTS * most
+    return passed
+
+
+def _fastest(postures: Sequence[Array], speed: Array) -> float:
+    """In how many seconds these postures are passed without haste."""
+    turns = np.abs(np.diff(postures, axis=0))
+    return _HASTE * _POINTS * float(np.max(turns / speed))
 
 
 def _meets(model: Any, facts: JointFacts, values: Array, apart: set[frozenset[str]]) -> bool:
