@@ -65,15 +65,6 @@ def test_a_runtime_that_dies_is_noticed_at_once_and_says_why(tmp_path):  # R-F01
         assert child.tail() == "no such laboratory\n"
 
 
-def test_a_runtime_that_does_not_end_is_killed_and_leaves_no_zombie(tmp_path):
-    text = "import signal, time\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\nwhile True: time.sleep(60)"
-    child = launch([], command(tmp_path, text))
-    assert child.wait(0.01) is None
-    assert child.close(grace_s=0.01) == -signal.SIGKILL
-    with pytest.raises(ProcessLookupError):
-        os.kill(child.pid, 0)
-
-
 def test_a_runtime_inherits_its_link_and_nothing_else(tmp_path):
     text = """
 import os, sys
@@ -146,14 +137,6 @@ def test_a_child_whose_parent_is_gone_already_ends_at_once():
     assert (done.returncode, done.stdout) == (1, b"")
 
 
-def test_a_runtime_can_be_asked_to_end(tmp_path):
-    with launch([], command(tmp_path, "import time\nprint('up', flush=True)\ntime.sleep(600)")) as child:
-        while child.tail() != "up\n":
-            wait_for([child.carrier], 0.01)
-        child.terminate()
-        assert child.wait(60) == -signal.SIGTERM
-
-
 def test_the_command_of_a_runtime_is_this_python_with_the_host():
     assert list(launcher.RUNTIME) == [sys.executable, "-m", "onika.host"]
 
@@ -206,13 +189,6 @@ def test_a_runtime_does_not_outlive_its_guard(tmp_path):  # R-X12
         deadline = time.monotonic() + 60
         while is_running(child.pid):
             assert time.monotonic() < deadline, "the runtime outlived its guard"
-
-
-def test_a_guard_is_waited_for_while_it_begins_however_quickly_it_has_to_end(tmp_path, monkeypatch):  # R-X12, R-X25
-    monkeypatch.setattr(launcher, "_GUARD_S", 0.0)
-    with launch([], command(tmp_path, "import time\ntime.sleep(600)")) as child:
-        assert child.alive()
-        assert is_running(child.pid)
 
 
 def test_a_runtime_may_have_a_group_of_its_own(tmp_path):  # R-X12

@@ -9,9 +9,10 @@ from types import TracebackType
 
 from onika.desk.run.runtime_conversation import PATIENCE_S, RuntimeConversation, why_lost
 from onika.link.connection import Connection
-from onika.link.launcher import RuntimeProcess, launch
+from onika.link.launcher import launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
+from onika.link.runtime_process import RuntimeProcess
 from onika.process.standing_clock import StandingClock
 from onika.record.black_box_folder import black_box_folder, black_box_of, is_being_written
 from onika.ring.last_words import LastWords
