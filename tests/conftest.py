@@ -57,7 +57,18 @@ def kept_runtimes():
 
 
 @pytest.fixture
-def warm_runtimes(kept_runtimes, monkeypatch):
+def idle_starts(monkeypatch):
+    """The starts of runtimes for `onika run`, of which nothing comes up."""
+    from kit.link.idle_start import IdleStart
+    from onika.cli import run
+
+    monkeypatch.setattr(run, "RuntimeStart", IdleStart)
+    monkeypatch.setattr(IdleStart, "begun", [])
+    return IdleStart.begun
+
+
+@pytest.fixture
+def warm_runtimes(kept_runtimes, idle_starts, monkeypatch):
     """Runs in virtual time and looks at files take a runtime that was used before, and is renewed."""
     from onika.desk.run import run, survey
 

@@ -1,10 +1,8 @@
-import argparse
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from onika.cli.search_path import access_here, directory, site_here
+from onika.cli.search_path import access_here, site_here
 from onika.store.remote.credential import Credential
 from onika.words.reason import Reason
 
@@ -19,14 +17,6 @@ def test_directories_of_the_command_line_come_first_then_those_of_the_environmen
     assert names[:3] == ["one", "two", "three"]
     assert {"boxes", "generic", "puma"} <= set(names[3:])
     assert site.home == tmp_path
-
-
-def test_a_base_directory_has_to_be_there(tmp_path):  # R-B07
-    assert directory(str(tmp_path)) == str(tmp_path)
-    assert directory(".") == "."
-    for text in (str(tmp_path / "nowhere"), str(Path(__file__))):
-        with pytest.raises(argparse.ArgumentTypeError, match="expected a base directory, found none at"):
-            directory(text)
 
 
 @pytest.mark.parametrize(

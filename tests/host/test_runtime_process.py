@@ -2,8 +2,8 @@ from time import monotonic_ns
 
 import pytest
 
+from onika.link.child.launcher import launch
 from onika.link.connection import Connection
-from onika.link.launcher import launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost
 from onika.wire import request

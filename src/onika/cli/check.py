@@ -3,9 +3,10 @@
 import argparse
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
 from onika.cli.lines.fault_lines import fault_lines
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.run.survey import survey
 from onika.words.reason import Reason
 

@@ -10,10 +10,9 @@ from pathlib import Path
 from onika.classroom.grading import Grading
 from onika.classroom.program import LOOPBACK, ClassOptions, ClassProgram
 from onika.classroom.seat_program import SeatSettings
+from onika.cli.argument_kinds import directory, expectation_of
 from onika.cli.language import learn, say
 from onika.cli.page import PORT as PAGE_PORT, has_screen
-from onika.cli.run import expectation_of
-from onika.cli.search_path import directory
 from onika.files.state.state_directory import state_directory
 from onika.process import confinement
 from onika.store.base_directory import BaseDirectory

@@ -3,9 +3,10 @@
 import argparse
 from pathlib import Path
 
+from onika.cli.argument_kinds import script_file
 from onika.cli.console_session import sit_down
 from onika.cli.language import say
-from onika.cli.runtime import add_base, script_file
+from onika.cli.runtime import add_base
 from onika.cli.search_path import site_here
 from onika.desk.run.remote_runtime import connect
 from onika.link.token import read_token

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from onika.cli.conversation import LineDesk, converse, run_batch, serve
 from onika.cli.language import say
-from onika.cli.orderly_exit import in_order
 from onika.cli.plain_console import PlainConsole
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
 from onika.files.state.state_directory import state_directory
+from onika.process.orderly_exit import in_order
 from onika.store.site import Site
 from onika.words.reason import Reason
 

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from rich.console import Console
 from rich.text import Text
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.plan.lone_job import lone_job
 from onika.desk.run.machine import features
 from onika.store.site import Site

@@ -13,14 +13,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from onika.cli.language import say
-from onika.cli.orderly_exit import in_order
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import RuntimeConversation
 from onika.files.state.staying_runtime import StayingRuntime, staying_path, staying_runtime
 from onika.link.address import Address
-from onika.link.launcher import ONE_THREAD, RUNTIME, UNDRAWN
+from onika.link.child.launcher import ONE_THREAD, RUNTIME, UNDRAWN
 from onika.link.lost import LinkLost
 from onika.link.token import read_token, token_path
+from onika.process.orderly_exit import in_order
 from onika.wire import live
 from onika.wire.hand_over import HandOver, line_of
 from onika.wire.runtime_standing import Standing

@@ -3,13 +3,15 @@
 import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from onika.cli.lines.safe_text import safe
-from onika.store.base_directory import BaseDirectory
-from onika.store.module_catalogue import translations_of
 from onika.words.own_language import VARIABLE, own_language
 from onika.words.reason import Reason, in_language
 from onika.words.sentence import LANGUAGES
+
+if TYPE_CHECKING:
+    from onika.store.base_directory import BaseDirectory
 
 _of_modules: dict[str, str] = {}
 
@@ -29,9 +31,11 @@ def speaking(wanted: str | None) -> Iterator[None]:
             os.environ.pop(VARIABLE, None)
 
 
-def learn(bases: Iterable[BaseDirectory]) -> None:
+def learn(bases: "Iterable[BaseDirectory]") -> None:
     """Take up what the modules of a search path say in the language of this process."""
     if own_language() != LANGUAGES[0]:
+        from onika.store.module_catalogue import translations_of  # within: a command may need no file at all
+
         _of_modules.update(translations_of(bases, own_language()))
 
 

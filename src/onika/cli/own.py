@@ -7,8 +7,9 @@ import sys
 import time
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.files.state.state_directory import state_directory
 from onika.store.own_copy import OwnCopy, gone_back, own_copies, own_copy
 from onika.store.replaced_texts import ReplacedTexts

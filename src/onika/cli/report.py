@@ -5,8 +5,9 @@ import os
 import sys
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.environment.lone_review import read_alone
 from onika.desk.environment.shared.report import ReportPart, report_parts, write_report
 from onika.record.black_box_folder import black_box_folder, black_boxes

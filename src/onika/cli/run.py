@@ -1,33 +1,24 @@
 """`onika run`: run an application on a robot or simulator, headless."""
 
 import argparse
-import os
 import re
-import sys
+from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
 
+from onika.cli.argument_kinds import (
+    answer_of,
+    directory,
+    expectation_of,
+    redirect_of,
+    runtime_address,
+    scale,
+    script_file,
+    seconds_of,
+)
 from onika.cli.language import say
-from onika.cli.lines.json_lines import JsonLines
-from onika.cli.orderly_exit import in_order
-from onika.cli.plain_display import PlainDisplay
-from onika.cli.runtime import script_file
-from onika.cli.search_path import directory, site_here
-from onika.cli.time_scale import scale
-from onika.desk.run import world_picture
-from onika.desk.run.outcome import Outcome
-from onika.desk.run.run import Opens, run
-from onika.desk.run.settings import RecordingSource, RunSettings, RuntimeLocation
-from onika.desk.sweep.variation import Variation
-from onika.link.starting.runtime_address import address_of
+from onika.link.child.launcher import RuntimeStart
 from onika.link.token import read_token
-from onika.model.redirect import Redirect
-from onika.store.site import Site
-from onika.words.condition import Condition
-from onika.words.reason import NOTHING, Reason, reason_of
-
-if TYPE_CHECKING:
-    from onika.cli.live_display import LiveDisplay
+from onika.words.reason import Reason, reason_of
 
 
 def purpose() -> Reason:
@@ -105,135 +96,22 @@ def carry_out(given: argparse.Namespace) -> int:
     instants = [at for at in given.at if isinstance(at, float)]
     if instants and (given.source is None or len(given.at) > 1):
         given.complain(say(Reason.of("cli.at_alone")))
-    watcher = _watcher(given)
-    settings = _settings(given, watcher.can_steer)
-    objection = NOTHING if given.keep_test is None else _unkeepable(settings, given.keep_test)
-    if objection:
-        given.complain(say(Reason.of("cli.not_kept", objection=objection)))
-    with in_order(), watcher:
-        outcome = run(settings, site_here(given.local), watcher, _opens(settings))
-    drawn = _draw(outcome, given.picture) if given.picture is not None else NOTHING
-    watcher.ended(outcome, drawn)
-    if given.keep_test is not None and outcome.exit_code == 0:
-        return _keep(given.keep_test, settings, site_here(given.local), outcome)
-    return outcome.exit_code
+    with ExitStack() as ending:
+        start = None if given.runtime is not None or given.at else ending.enter_context(_start(given))
+        from onika.cli.headless_run import run_application  # within: the runtime comes up meanwhile
+
+        return run_application(given, start)
 
 
-def _watcher(given: argparse.Namespace) -> "JsonLines | LiveDisplay | PlainDisplay":
-    """What shows the run: JSON for programs, a live display on a terminal that can do it, else plain lines."""
-    if given.json:
-        return JsonLines()
-    if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb":
-        from onika.cli.live_display import LiveDisplay  # within: its libraries take long to load
-
-        return LiveDisplay()
-    return PlainDisplay()
+def _start(given: argparse.Namespace) -> RuntimeStart:
+    """The runtime, whose libraries take as long to load as those of this program."""
+    virtual = is_virtual(given)
+    return RuntimeStart(["--virtual"] * virtual, has_modules=virtual, has_more=True)
 
 
-def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
-    return RunSettings(
-        name=given.application,
-        is_virtual=given.virtual or given.scale is not None or given.source is not None,
-        expectations=tuple(given.expect),
-        settle_s=given.settle,
-        seed=given.seed,
-        answers=joined_answers(given.answer),
-        may_ask=_is_terminal(sys.stdin) and not given.json,
-        wants_picture=given.picture is not None,
-        with_fifo=not given.no_fifo,
-        has_black_box=not given.no_black_box,
-        scale=given.scale,
-        subsystems=tuple(given.subsystem),
-        on_loss=given.on_loss,
-        on_error=given.on_error or ("wait" if can_steer or given.script is not None else "abort"),
-        script=given.script,
-        redirects=tuple(given.redirect),
-        shake=given.shake,
-        values=tuple(given.vary),
-        record=given.record,
-        source=None if given.source is None else RecordingSource(given.source, given.at[0] if given.at else None),
-        places=_places(given),
-        elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, _token_of("", given), given.ca),
-    )
-
-
-def _opens(settings: RunSettings) -> Opens | None:
-    """What the flows run on where they run on several runtimes."""
-    if not settings.places:
-        return None
-    from onika.desk.joined.joined_runtimes import opens  # within: only who joins runtimes needs all that
-
-    return opens(settings)
-
-
-def _unkeepable(settings: RunSettings, path: Path) -> Reason:
-    """Why such a run cannot be kept as a test."""
-    from onika.desk.trial.keeping import unkeepable  # within: only who keeps a test needs all that
-
-    return unkeepable(settings, path)
-
-
-def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> int:
-    """Keep the run as a test; told on the error output, as JSON lines may go to the other one."""
-    from onika.desk.trial.keeping import keep_in  # within: only who keeps a test needs all that
-
-    seen = outcome.result.hash if outcome.result is not None else ""
-    with in_order():
-        is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen, say=say)
-    if not is_kept:
-        for reason in report:
-            sys.stderr.write(f"{say(Reason.of('cli.test_not_kept', line=reason))}\n")
-        return 1
-    content, *notes = report
-    for line in (Reason.of("cli.test_in", path=str(path), content=content), *notes):
-        sys.stderr.write(f"{say(Reason.of('cli.test_kept', line=line))}\n")
-    return 0
-
-
-def _is_terminal(stream: TextIO | None) -> bool:
-    """Whether a person is there; a closed stream is None."""
-    return stream is not None and stream.isatty()
-
-
-def _draw(outcome: Outcome, path: Path) -> Reason:
-    """Draw the first world; what to say of it."""
-    if outcome.result is None:
-        return NOTHING
-    for snapshot in outcome.snapshots.values():
-        return world_picture.draw(snapshot, path) or Reason.of("cli.picture", path=str(path))
-    return Reason.of("cli.no_picture")
-
-
-def joined_answers(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
-    """One line of values for each input, in the order in which they were given."""
-    lines: dict[tuple[str, str], list[str]] = {}
-    for task, name, values in answers:
-        lines.setdefault((task, name), []).append(values)
-    return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())
-
-
-def expectation_of(text: str) -> Condition:
-    """A condition, as a word of a command line."""
-    try:
-        return Condition.parse(text)
-    except ValueError as wrong:
-        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
-
-
-def redirect_of(text: str) -> Redirect:
-    """A redirection, as a word of a command line."""
-    try:
-        return Redirect.parse(text)
-    except ValueError as wrong:
-        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
-
-
-def runtime_address(text: str) -> str:
-    """The address of a runtime, as a word of a command line."""
-    try:
-        return str(address_of(text))
-    except ValueError as wrong:
-        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+def is_virtual(given: argparse.Namespace) -> bool:
+    """Whether time is virtual, as it is wherever something is repeated or scaled, too."""
+    return given.virtual or given.scale is not None or given.source is not None
 
 
 def _token(text: str) -> tuple[str, str]:
@@ -252,17 +130,6 @@ def _new_file(text: str) -> Path:
     return path
 
 
-def seconds_of(text: str) -> float:
-    """Seconds, as a word of a command line."""
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = -1.0
-    if not 0.0 <= seconds <= 3600.0:
-        raise argparse.ArgumentTypeError(say(Reason.of("cli.seconds_expected", most="3600", text=text)))
-    return seconds
-
-
 def _instant(text: str) -> float:
     try:
         seconds = float(text)
@@ -279,17 +146,6 @@ def _at(text: str) -> float | tuple[str, str]:
     return (flow.strip(), runtime_address(url)) if equals else _instant(text)
 
 
-def _places(given: argparse.Namespace) -> tuple[tuple[str, RuntimeLocation], ...]:
-    places = [at for at in given.at if isinstance(at, tuple)]
-    tokens = {url: _token_of(flow, given) for flow, url in reversed(places)}
-    return tuple((flow, RuntimeLocation(url, tokens[url], given.ca)) for flow, url in places)
-
-
-def _token_of(flow: str, given: argparse.Namespace) -> str:
-    tokens = dict(given.tokens)
-    return str(tokens.get(flow, tokens.get("", "")))
-
-
 def _whole(text: str) -> int:
     if not re.fullmatch(r"[+-]?[0-9]{1,18}", text):
         raise argparse.ArgumentTypeError(say(Reason.of("cli.whole_expected", digits=18, text=text)))
@@ -297,6 +153,8 @@ def _whole(text: str) -> int:
 
 
 def _value(text: str) -> tuple[str, float]:
+    from onika.desk.sweep.variation import Variation  # within: only who varies something needs it
+
     try:
         variation = Variation.parse(text)
         if len(variation.choices) != 1:
@@ -304,12 +162,3 @@ def _value(text: str) -> tuple[str, float]:
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
     return variation.name, variation.choices[0]
-
-
-def answer_of(text: str) -> tuple[str, str, str]:
-    """A task, the name of an input and its values, as a word of a command line."""
-    address, equals, values = text.partition("=")
-    task, dot, name = address.strip().rpartition(".")
-    if not (equals and dot and task and name):
-        raise argparse.ArgumentTypeError(say(Reason.of("cli.answer_expected", text=text)))
-    return task, name, values.replace(",", " ").strip()

@@ -3,11 +3,10 @@
 import argparse
 import sys
 from contextlib import ExitStack
-from pathlib import Path
 
+from onika.cli.argument_kinds import directory, scale, script_file
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
-from onika.cli.time_scale import scale
+from onika.cli.search_path import site_here
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
@@ -110,14 +109,6 @@ def add_base(parser: argparse.ArgumentParser) -> None:
         "--base", "--local", action="append", default=[], type=directory, metavar="DIR",
         help=say(Reason.of("cli.runtime_local")),
     )  # fmt: skip
-
-
-def script_file(text: str) -> Path:
-    """A script on the command line; raises ArgumentTypeError where there is none."""
-    path = Path(text)
-    if not path.is_file():
-        raise argparse.ArgumentTypeError(say(Reason.of("cli.script_expected", text=text)))
-    return path
 
 
 def _listen(given: argparse.Namespace) -> tuple[str, ...]:

@@ -60,10 +60,3 @@ def chosen_dictionaries(site: Site, names: Sequence[str]) -> tuple[Path, ...] | 
     if unknown is not None:
         return Reason.of("cli.no_dictionary", names=tuple(sorted(there)), found=unknown)
     return tuple(there[name] for name in dict.fromkeys(names))
-
-
-def directory(text: str) -> str:
-    """A directory on the command line; raises ArgumentTypeError where there is none."""
-    if not Path(text).is_dir():
-        raise argparse.ArgumentTypeError(say(Reason.of("cli.directory_expected", text=text)))
-    return text

@@ -5,8 +5,9 @@ import os
 import sys
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.environment.lone_review import read_alone
 from onika.desk.environment.shared.sharing import MOST_BYTES, SharedFile, shared_file
 from onika.files.state.state_directory import state_directory

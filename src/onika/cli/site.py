@@ -7,11 +7,10 @@ import sys
 from pathlib import Path
 
 from onika.booking.book import book_path
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
 from onika.cli.lines import site_text
 from onika.cli.lines.consent import agrees
-from onika.cli.orderly_exit import in_order
-from onika.cli.search_path import directory
 from onika.desk.run.remote_runtime import token_for
 from onika.files import text
 from onika.files.site import launch_list
@@ -26,6 +25,7 @@ from onika.link.starting.site_address import PORT, SiteAddress
 from onika.link.starting.site_client import SiteClient
 from onika.link.token import read_token
 from onika.model.launch import Launch
+from onika.process.orderly_exit import in_order
 from onika.store.remote.publication import Publisher
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import msgspec
 
+from onika.cli.argument_kinds import answer_of, directory, expectation_of, redirect_of, seconds_of
+from onika.cli.headless_run import joined_answers
 from onika.cli.language import say
-from onika.cli.orderly_exit import in_order
-from onika.cli.run import answer_of, expectation_of, joined_answers, redirect_of, seconds_of
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.varied import varied
 from onika.desk.run.settings import RunSettings
@@ -26,6 +26,7 @@ from onika.desk.sweep.sweep import sweep
 from onika.desk.sweep.swept_program import SweptProgram
 from onika.desk.sweep.variation import Variation
 from onika.desk.trial.account import digest_of
+from onika.process.orderly_exit import in_order
 from onika.store.site import Site
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of

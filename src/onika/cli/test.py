@@ -5,12 +5,13 @@ import os
 import sys
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.orderly_exit import in_order
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.trial import junit
 from onika.desk.trial.home import FOLDER
 from onika.desk.trial.trial import Trial, find, try_all
+from onika.process.orderly_exit import in_order
 from onika.words.reason import NOTHING, Reason
 
 

@@ -4,8 +4,9 @@ import argparse
 import sys
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
-from onika.cli.search_path import directory, site_here
+from onika.cli.search_path import site_here
 from onika.desk.plan.application_text import convert, is_text, keep, unfit
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Reason

@@ -9,8 +9,9 @@ import sys
 from onika.host.loading.loader_start import start_loader
 from onika.host.processes.child_process import serve_forks
 from onika.host.processes.output_pipe import open_output_pipes
-from onika.host.runtime_options import options
-from onika.link.launcher import die_with_parent
+from onika.host.processes.preloaded_libraries import preload
+from onika.host.runtime_options import followed, options
+from onika.link.child.launcher import die_with_parent
 from onika.runtime.partner.address import OWN_NAME
 from onika.words.own_language import own_language
 from onika.words.reason import in_language
@@ -30,7 +31,7 @@ def main(words: list[str]) -> None:
         die_with_parent(given.parent)
     open_output_pipes()
     try:
-        _begin(given)
+        _begin(given, words)
     except OSError as refused:
         if not is_used_up(refused):
             raise
@@ -38,7 +39,7 @@ def main(words: list[str]) -> None:
         raise SystemExit(2) from None
 
 
-def _begin(given: argparse.Namespace) -> None:
+def _begin(given: argparse.Namespace, words: list[str]) -> None:
     os.environ[OWN_NAME] = secrets.token_hex(8)  # its processes inherit it, and no other runtime has it
     if given.forecast:
         os.nice(_FORECAST_NICE)
@@ -50,6 +51,10 @@ def _begin(given: argparse.Namespace) -> None:
         fork_server.preload()
     try:
         from onika.host.runtime_process import run  # within: the loader comes up meanwhile
+
+        if given.options_fd is not None:
+            preload()
+            given = followed(words, given.options_fd)
     except BaseException:
         loader_start.end()
         raise

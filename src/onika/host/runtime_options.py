@@ -1,6 +1,8 @@
 """The command line of a runtime."""
 
 import argparse
+import json
+import os
 
 from onika.words.own_language import own_language
 from onika.words.reason import Reason, in_language
@@ -11,6 +13,7 @@ def options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser()
     parser.add_argument("--link-fd", type=int)
     parser.add_argument("--parent", type=int)
+    parser.add_argument("--options-fd", type=int)
     parser.add_argument("--last-words", type=int)
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--scale", type=float)
@@ -38,3 +41,12 @@ def options(words: list[str]) -> argparse.Namespace:
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error(in_language(Reason.of("host.no_way_in"), own_language()))
     return given
+
+
+def followed(words: list[str], descriptor: int) -> argparse.Namespace:
+    """These options and those that follow on a descriptor, as JSON; the quiet end where it is closed without any."""
+    with os.fdopen(descriptor, "rb") as source:
+        more = source.read()
+    if not more:
+        raise SystemExit(0)
+    return options([*words, *json.loads(more)])

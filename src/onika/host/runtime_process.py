@@ -42,7 +42,7 @@ from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world
 from onika.link.address import Address
-from onika.link.launcher import inherit
+from onika.link.child.launcher import inherit
 from onika.link.sessions import Sessions
 from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords

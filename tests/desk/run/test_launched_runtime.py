@@ -11,7 +11,7 @@ from kit.plans.plan_builder import action
 from kit.worlds.rail_world import rail_tasks
 from onika.desk.run import launched_runtime as room
 from onika.desk.run.launched_runtime import LaunchedRuntime
-from onika.link.launcher import launch
+from onika.link.child.launcher import launch
 from onika.link.lost import LinkLost
 from onika.process.guard import is_stopped
 from onika.wire import event, live, request

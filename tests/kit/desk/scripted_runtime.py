@@ -37,8 +37,9 @@ class ScriptedRuntime:
         with_fifo: bool,
         options: Sequence[str] = (),
         has_black_box: bool = True,
+        start: object = None,
     ) -> None:
-        del has_black_box
+        del has_black_box, start
         self.given = (rtpus, is_virtual, with_fifo)
         self.options = options
         self.requests: list[request.Request | str] = []

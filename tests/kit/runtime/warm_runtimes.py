@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from kit.link.idle_start import IdleStart
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.lost import LinkLost
 from onika.wire import live, request
@@ -33,6 +34,7 @@ class WarmRuntimes:
         with_fifo: bool = True,
         options: Sequence[str] = (),
         has_black_box: bool = True,
+        start: IdleStart | None = None,
     ) -> Iterator[LaunchedRuntime]:
         """A runtime on which nothing has happened yet, kept afterwards where it is as good as new."""
         if not is_virtual or options:

@@ -18,7 +18,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from onika.host.processes.realtime_scheduling import fine_timers, still_garbage
-from onika.link.launcher import ONE_THREAD
+from onika.link.child.launcher import ONE_THREAD
 
 Figures = Mapping[str, float | list[float]]
 """What one round found, by name."""

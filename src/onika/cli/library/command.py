@@ -7,10 +7,11 @@ from collections.abc import Callable, Mapping
 from datetime import UTC, date, datetime
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import say
 from onika.cli.library import listing_text, sending
 from onika.cli.lines.consent import agrees
-from onika.cli.search_path import access_here, directory
+from onika.cli.search_path import access_here
 from onika.files.library_lock import LockedLibrary
 from onika.store.remote.contents import contents, matching
 from onika.store.remote.library_changes import changes

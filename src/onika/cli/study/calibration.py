@@ -3,14 +3,14 @@
 import argparse
 from pathlib import Path
 
+from onika.cli.argument_kinds import runtime_address
 from onika.cli.language import say
-from onika.cli.orderly_exit import in_order
 from onika.cli.plain_display import PlainDisplay
-from onika.cli.run import runtime_address
 from onika.cli.search_path import site_here
 from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.link.token import read_token
+from onika.process.orderly_exit import in_order
 from onika.words.reason import NOTHING, Reason, reason_of
 
 APPLICATION = "calibrate"

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
+from onika.cli.argument_kinds import directory
 from onika.cli.language import learn, say
-from onika.cli.search_path import directory
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.replay import replay_place
 from onika.desk.environment.replay.replay_control import ReplayControl

@@ -8,11 +8,11 @@ from time import monotonic_ns, sleep
 from types import TracebackType
 
 from onika.desk.run.runtime_conversation import PATIENCE_S, RuntimeConversation, why_lost
+from onika.link.child.launcher import RuntimeStart, launch
+from onika.link.child.runtime_process import RuntimeProcess
 from onika.link.connection import Connection
-from onika.link.launcher import launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
-from onika.link.runtime_process import RuntimeProcess
 from onika.process.standing_clock import StandingClock
 from onika.record.black_box_folder import black_box_folder, black_box_of, is_being_written
 from onika.ring.last_words import LastWords
@@ -40,7 +40,11 @@ class LaunchedRuntime(RuntimeConversation):
         with_fifo: bool = True,
         options: Sequence[str] = (),
         has_black_box: bool = True,
+        start: RuntimeStart | None = None,
     ) -> None:
+        """
+        start   one that comes up already, with modules where time is virtual; it waits for its arguments
+        """
         words = [word for name in rtpus for word in ("--rtpu", name)]
         if is_virtual:
             words.append("--virtual")
@@ -51,7 +55,9 @@ class LaunchedRuntime(RuntimeConversation):
         self._has_black_box = has_black_box and not is_virtual
         """Whether there is one that outlives a runtime."""
         self._black_box: str | None = None
-        self._child: RuntimeProcess = launch([*words, *options], has_modules=is_virtual)
+        self._child: RuntimeProcess = (
+            launch([*words, *options], has_modules=is_virtual) if start is None else start.process([*words, *options])
+        )
         self._may_rest = is_virtual
         self._clock = StandingClock(monotonic_ns)
         super().__init__(Connection(self._child.carrier, self._clock, CHILD))

@@ -23,6 +23,7 @@ from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RecordingSource, RunSettings
 from onika.desk.run.steering_script import ScriptLine
 from onika.desk.run.world_text import drive_lines
+from onika.link.child.launcher import RuntimeStart
 from onika.link.lost import LinkLost
 from onika.model.redirect import Redirect
 from onika.store.repeated_names import folded
@@ -140,10 +141,17 @@ def _started(
             running.close()
 
 
-def run(settings: RunSettings, site: Site, watcher: RunWatcher, opens: Opens | None = None) -> Outcome:
+def run(
+    settings: RunSettings,
+    site: Site,
+    watcher: RunWatcher,
+    opens: Opens | None = None,
+    start: RuntimeStart | None = None,
+) -> Outcome:
     """Run an application to its end. Ctrl-C stops it, and loses no result; a second one is a KeyboardInterrupt.
 
     opens   what it runs on; None: the runtime that the settings name, or one that is launched for it
+    start   the one that is launched for it, where it comes up already; whoever began it closes it
     """
     outcome = Outcome(settings.name)
     is_held = settings.is_virtual and settings.script is not None
@@ -151,7 +159,7 @@ def run(settings: RunSettings, site: Site, watcher: RunWatcher, opens: Opens | N
     try:
         with ExitStack() as ending:
             ending.push(interruption)  # entered when the run begins: before that, Ctrl-C has nothing to stop
-            opened = ending.enter_context(_open(settings, site, outcome, is_held, opens))
+            opened = ending.enter_context(_open(settings, site, outcome, is_held, opens, start=start))
             if opened is not None:
                 running, script_lines = opened
                 watcher.begins(running.prepared, running.pid)
@@ -170,6 +178,7 @@ def _open(
     is_held: bool,
     opens: Opens | None = None,
     ready: PreparedRun | None = None,
+    start: RuntimeStart | None = None,
 ) -> Iterator[tuple[Running, tuple[ScriptLine, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
     prepared, recorded = _prepared(settings, site, outcome, ready)
@@ -189,7 +198,11 @@ def _open(
         outcome.faults += unfit
         yield None
         return
-    with _runtime(settings, plan, world_values, recorded) if opens is None else opens(plan, world_values) as runtime:
+    with (
+        _runtime(settings, plan, world_values, recorded, start)
+        if opens is None
+        else opens(plan, world_values) as runtime
+    ):
         _prepare(prepared, plan, runtime, outcome)
         outcome.faults = with_worlds(outcome.faults, site)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
@@ -315,17 +328,23 @@ def _misplaced(settings: RunSettings, plan: Plan) -> list[Fault]:
 
 
 def _runtime(
-    settings: RunSettings, plan: Plan, values: WorldValues, recorded: "RecordedRun | None"
+    settings: RunSettings,
+    plan: Plan,
+    values: WorldValues,
+    recorded: "RecordedRun | None",
+    start: RuntimeStart | None,
 ) -> "LaunchedRuntime | RemoteRuntime":
     if recorded is not None:
-        return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
+        return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, False, start)
     if settings.elsewhere is not None:
         from onika.desk.run.remote_runtime import connect  # within: it brings along all that speaks to other machines
 
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
     scale = () if settings.scale is None else ("--scale", f"{settings.scale:.15g}")
     options = (*scale, *options_of(settings.shake, values))
-    return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options, settings.has_black_box)
+    return LaunchedRuntime(
+        rtpus_of(plan), settings.is_virtual, settings.with_fifo, options, settings.has_black_box, start
+    )
 
 
 def _is_virtual(runtime: RunRuntime) -> bool:

@@ -45,7 +45,7 @@ from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.process_socket import ProcessSocket
 from onika.host.sandbox.sandbox_process import refusal
 from onika.host.units.world_sources import packed, unpacked
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 from onika.ring.segment import Segment
 from onika.wire.plan import Code
 from onika.wire.request import FaultText

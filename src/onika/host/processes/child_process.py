@@ -7,7 +7,7 @@ import sys
 from typing import Protocol
 
 from onika.host.processes.fork_server import BeginProcess, ForkServer
-from onika.link.launcher import ONE_THREAD, UNDRAWN
+from onika.link.child.launcher import ONE_THREAD, UNDRAWN
 
 
 class ChildProcess(Protocol):

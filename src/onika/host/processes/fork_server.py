@@ -25,7 +25,7 @@ from msgspec import Struct, msgpack
 from onika.host.processes.forked_process import ForkedProcess
 from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.process_title import entitle
-from onika.link.launcher import ONE_THREAD, UNDRAWN, die_with_parent
+from onika.link.child.launcher import ONE_THREAD, UNDRAWN, die_with_parent
 from onika.process.guard import is_stopped
 
 PATIENCE_S = 20.0

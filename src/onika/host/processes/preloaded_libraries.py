@@ -1,9 +1,9 @@
-"""Big libraries that modules use; importing them later would cost missed cycles (law 21)."""
+"""Big libraries that modules and worlds use; importing them later would cost missed cycles (law 21)."""
 
 import contextlib
 import importlib
 
-PRELOADED = ("numpy", "mujoco", "ruckig")
+PRELOADED = ("numpy", "mujoco", "ruckig", "onika.module", "onika.laws.arm", "onika.workcell.filmed.filmed_world")
 
 
 def preload() -> None:

@@ -16,7 +16,7 @@ from onika.host.guards.memory_limit import bound
 from onika.host.processes.output_pipe import open_output_pipes
 from onika.host.processes.preloaded_libraries import preload
 from onika.host.processes.realtime_scheduling import SANDBOX_PRIORITY, fine_timers, first_in_first_out, lock_memory
-from onika.link.launcher import ONE_THREAD, die_with_parent
+from onika.link.child.launcher import ONE_THREAD, die_with_parent
 from onika.process import confinement, system_calls
 from onika.ring.segment import Segment
 from onika.runtime.sandbox.confined_instance import ConfinedInstance

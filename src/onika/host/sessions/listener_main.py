@@ -32,8 +32,8 @@ from onika.host.sessions.listener_process import (
 from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import Users
 from onika.link.channel import Channel
+from onika.link.child.launcher import die_with_parent
 from onika.link.heartbeat import LENGTH
-from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason

@@ -50,7 +50,7 @@ from onika.host.units.served_worlds import ServedWorlds
 from onika.host.units.waiting_orders import WaitingOrders
 from onika.host.units.world_registry import open_world
 from onika.host.units.world_sources import unpacked
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 from onika.ring.device import DriveEvent
 from onika.ring.segment import Segment
 from onika.wire.world_source import WorldSource

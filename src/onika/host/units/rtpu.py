@@ -22,7 +22,7 @@ from onika.host.sandbox.sandbox_end import SandboxEnd
 from onika.host.units.early_wake import EarlyWake
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.execution.executive import Executive

@@ -15,8 +15,8 @@ from time import monotonic
 
 from onika.link.address import Address
 from onika.link.channel import Channel
+from onika.link.child.output_tail import OutputTail
 from onika.link.lost import LinkLost, LossCause
-from onika.link.output_tail import OutputTail
 from onika.link.starting.ssh_address import SshAddress
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_opening import WebSocketOpening

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 
 from onika.host.processes.realtime_scheduling import fine_timers, still_garbage
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 
 _WORD = "partner"
 

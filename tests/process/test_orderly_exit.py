@@ -3,7 +3,7 @@ import signal
 
 import pytest
 
-from onika.cli.orderly_exit import in_order
+from onika.process.orderly_exit import in_order
 
 
 @pytest.fixture

@@ -4,9 +4,9 @@ import sys
 
 import pytest
 
-from onika.link import runtime_process
 from onika.link.carrier import wait_for
-from onika.link.launcher import launch
+from onika.link.child import runtime_process
+from onika.link.child.launcher import launch
 
 
 def command(text):

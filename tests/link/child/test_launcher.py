@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from onika.link import launcher
 from onika.link.carrier import wait_for
+from onika.link.child import launcher
+from onika.link.child.launcher import RuntimeStart, launch
 from onika.link.connection import Connection
-from onika.link.launcher import launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
 
@@ -18,7 +18,7 @@ RUNTIME = """
 import select, sys, time
 from onika.link.link_events import RequestReceived
 from onika.link.signal_journal import SignalJournal
-from onika.link.launcher import die_with_parent, inherit
+from onika.link.child.launcher import die_with_parent, inherit
 from onika.link.runtime_port import ServerPort
 from onika.link.link_terms import CHILD
 
@@ -104,14 +104,14 @@ def test_a_runtime_that_is_over_leaves_nothing_open(tmp_path):
 def test_a_runtime_dies_with_the_program_that_launched_it(tmp_path):  # R-X12
     stubborn = """
 import os, signal, sys, time
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 die_with_parent(int(sys.argv[sys.argv.index("--parent") + 1]))
 print(os.getpid(), flush=True)
 while True: time.sleep(60)
 """
     parent = f"""
 import os, sys
-from onika.link.launcher import launch
+from onika.link.child.launcher import launch
 child = launch([], {command(tmp_path, stubborn)!r})
 while not child.tail().endswith("\\n"): pass
 print(child.tail(), flush=True)
@@ -132,7 +132,7 @@ def is_running(pid):
 
 
 def test_a_child_whose_parent_is_gone_already_ends_at_once():
-    text = "from onika.link.launcher import die_with_parent\ndie_with_parent(-1)\nprint('alive')"
+    text = "from onika.link.child.launcher import die_with_parent\ndie_with_parent(-1)\nprint('alive')"
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, check=False, timeout=60)
     assert (done.returncode, done.stdout) == (1, b"")
 
@@ -164,7 +164,7 @@ def test_nothing_is_left_of_what_a_runtime_has_started(tmp_path, end):  # R-X12
 def test_nothing_is_left_of_a_runtime_whose_program_is_killed(tmp_path):  # R-X12
     parent = f"""
 import os
-from onika.link.launcher import launch
+from onika.link.child.launcher import launch
 child = launch([], {command(tmp_path, LEAVES + "time.sleep(600)")!r})
 while not child.tail().endswith("\\n"): pass
 print(child.pid, child.tail(), flush=True)
@@ -178,7 +178,7 @@ os.kill(os.getpid(), 9)
 
 def test_a_runtime_does_not_outlive_its_guard(tmp_path):  # R-X12
     text = (
-        "import os, sys, time\nfrom onika.link.launcher import die_with_parent\n"
+        "import os, sys, time\nfrom onika.link.child.launcher import die_with_parent\n"
         "die_with_parent(int(sys.argv[4]))\nprint(os.getppid(), flush=True)\ntime.sleep(600)"
     )
     with launch([], command(tmp_path, text)) as child:
@@ -196,3 +196,55 @@ def test_a_runtime_may_have_a_group_of_its_own(tmp_path):  # R-X12
     with launch([], command(tmp_path, text), has_modules=True) as child:
         child.wait(60)
         assert child.tail() == "True\n"
+
+
+WAITS = """
+import json, os, sys
+number = int(sys.argv[sys.argv.index("--options-fd") + 1])
+print("up", flush=True)
+more = os.fdopen(number).read()
+print(sys.argv[-1], json.loads(more) if more else "nothing", flush=True)
+"""
+
+
+def test_arguments_may_follow_while_the_runtime_comes_up(tmp_path):  # R-A15
+    before = descriptors()
+    start = RuntimeStart(["early"], command(tmp_path, WAITS), has_more=True)
+    with start, start.process(["--name", "l\udcff\u00e9"]) as child:
+        assert child.wait(60) == 0
+        assert child.tail() == "up\nearly ['--name', 'l\\udcff\u00e9']\n"
+    assert descriptors() == before
+
+
+def test_of_a_start_that_nobody_takes_nothing_is_left(tmp_path):  # R-A15, R-X12
+    before, mark = descriptors(), tmp_path / "pid"
+    text = f"import os, time\nopen({str(mark)!r}, 'w').write(str(os.getpid()))\ntime.sleep(600)"
+    with RuntimeStart([], command(tmp_path, text), has_modules=True, has_more=True):
+        deadline = time.monotonic() + 60
+        while not (mark.exists() and mark.read_text()):
+            assert time.monotonic() < deadline
+    assert not is_running(int(mark.read_text()))
+    assert descriptors() == before
+
+
+def test_a_runtime_that_ends_before_its_arguments_says_so_itself(tmp_path):  # R-F01
+    with RuntimeStart([], command(tmp_path, "import sys\nsys.exit('no laboratory')"), has_more=True) as start:
+        start._guard.wait(60)
+        with start.process(["more"]) as child:
+            assert child.wait(60) == 1
+            assert child.tail() == "no laboratory\n"
+
+
+def test_a_runtime_that_waits_for_its_arguments_ends_with_whoever_began_it(tmp_path):  # R-X12
+    text = f"""
+import os
+from onika.link.child.launcher import RuntimeStart
+start = RuntimeStart([], {command(tmp_path, WAITS)!r}, has_more=True)
+while b"up" not in os.read(start._output, 100): pass
+print(start._guard.pid, flush=True)
+os._exit(0)
+"""
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, timeout=60, check=True)
+    deadline = time.monotonic() + 60
+    while is_running(int(done.stdout)):
+        assert time.monotonic() < deadline, "the guard, and so the runtime, outlived its program"

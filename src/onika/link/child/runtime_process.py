@@ -9,7 +9,7 @@ from select import select
 from types import TracebackType
 
 from onika.link.carrier import SocketCarrier
-from onika.link.output_tail import OutputTail
+from onika.link.child.output_tail import OutputTail
 from onika.process import guard
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment

@@ -1,6 +1,6 @@
 import os
 
-from onika.link.output_tail import OutputTail
+from onika.link.child.output_tail import OutputTail
 
 
 def piped(**bounds):
