@@ -1,5 +1,6 @@
 import pytest
 
+from kit.desk.shipped_readings import ShippedReadings
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.running_application import Running
@@ -7,6 +8,15 @@ from onika.desk.run.settings import RunSettings
 from onika.link.lost import closed
 from onika.store.site import open_site
 from onika.wire import event, live, request, steer
+
+
+@pytest.fixture(autouse=True, scope="session")
+def shipped_readings():
+    """What is shipped is read once, and not by every environment."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("onika.store.base_directory.open_file", ShippedReadings())
+        yield
+
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 
