@@ -5,6 +5,7 @@ how long what somebody has signed holds, one whose time it is by what is booked.
 """
 
 import ast
+import re
 from pathlib import Path
 
 import onika
@@ -30,19 +31,19 @@ OF_PEOPLE = {
 OF_THE_DAY = {("time", "time"), ("time", "time_ns"), ("datetime", "now"), ("datetime", "utcnow"), ("date", "today")}
 
 
+CLOCKS = re.compile(r"\b(?:import|from) (?:time|datetime)\b")
+
+
 def looks_at_the_day(source: str) -> bool:
-    names = {
-        (node.value.id, node.attr)
-        for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
-    }
-    imported = {
-        ("time", alias.name)
-        for node in ast.walk(ast.parse(source))
-        if isinstance(node, ast.ImportFrom) and node.module == "time"
-        for alias in node.names
-    }
-    return bool((names | imported) & OF_THE_DAY)
+    if CLOCKS.search(source) is None:
+        return False
+    names = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            names.add((node.value.id, node.attr))
+        elif isinstance(node, ast.ImportFrom) and node.module == "time":
+            names |= {("time", alias.name) for alias in node.names}
+    return bool(names & OF_THE_DAY)
 
 
 def test_only_what_tells_people_when_something_was_looks_at_the_clock_of_the_day():  # R-F01

@@ -1,6 +1,6 @@
 """Files that come with Onika, read once for all environments of the tests: each environment reads several hundred.
 
-A reading is given again where the file is untouched and is read in the same way; what stands elsewhere is read anew each time.
+A reading is given again where the file is untouched and read in the same way; what stands elsewhere is read anew.
 """
 
 from collections.abc import Callable
