@@ -67,7 +67,7 @@ def own_copy(path: Path, site: Site) -> OwnCopy | None:
     if home not in bases or is_shipped(home) or path.suffix not in _ENDINGS.get(folder, ()) or not path.is_file():
         return None
     later = bases[bases.index(home) + 1 :]
-    twins = ((base, base / folder / path.name) for base in later)  # few are there, and to ask who brought one takes longer
+    twins = ((base, base / folder / path.name) for base in later)  # few are there; to ask who brought one is slow
     shipped = next((twin for base, twin in twins if twin.is_file() and is_shipped(base)), None)
     return OwnCopy(path, shipped) if shipped else None
 
