@@ -263,6 +263,11 @@ def test_on_a_carrier_that_loses_packets_everything_is_said_again():
     assert end.due_ns(20) == 10
 
 
-def test_a_request_that_is_too_long_is_the_programmers_fault():
-    with pytest.raises(ValueError, match="expected a request of 1000 bytes at most, found 1001"):
-        linked(LinkTerms(body_limit=1000)).request(bytes(1001), 0)
+def test_a_request_that_is_too_long_is_not_sent_and_said_to_be_so():  # R-F15
+    end = linked(LinkTerms(body_limit=1000))
+    end.take_notices()
+    packets(end)
+    assert end.request(bytes(1001), 0) == 1
+    assert end.take_notices() == [RequestFailed(1, RequestFate.TOO_LONG)] and packets(end) == []
+    end.request(bytes(1000), 0)
+    assert packets(end)

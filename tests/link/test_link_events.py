@@ -12,5 +12,6 @@ def test_each_fate_says_whether_something_may_have_been_carried_out():
     assert [fate for fate in RequestFate if "nothing was carried out" in str(fate.reason)] == [
         RequestFate.UNSENT,
         RequestFate.LATE,
+        RequestFate.TOO_LONG,
     ]
     assert "may or may not" in str(RequestFate.LOST.reason)

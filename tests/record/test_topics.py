@@ -2,6 +2,7 @@ import math
 
 from onika.record import topics
 from onika.wire import event, live, request
+from onika.wire.world_source import WorldFile, WorldSource
 from onika.words.reason import Reason
 
 
@@ -29,3 +30,12 @@ def test_what_json_does_not_know_is_written_all_the_same():
 def test_topics_are_named_by_what_they_tell():
     assert topics.variable("flow0", "Q^_MEZ") == "/flow0/Q^_MEZ"
     assert (topics.frames("boxes"), topics.scene("boxes")) == ("/worlds/boxes/frames", "/worlds/boxes/scene")
+
+
+def test_what_nobody_repeats_names_the_files_of_worlds_and_leaves_them_out():  # R-X19, law 29
+    mesh = WorldFile("mesh.stl", "/robots/mesh.stl", bytes(1000))
+    change = live.Change("main", on=(), worlds=(WorldSource("cell", "d1", (mesh,)),))
+    assert topics.without_files(change).worlds == (WorldSource("cell", "d1", ()),)
+    assert topics.without_files(change).subsystem == "main"
+    for other in (live.Change("main", kill=("a",)), request.Abort(Reason.plain("x"))):
+        assert topics.without_files(other) is other

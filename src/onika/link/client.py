@@ -114,12 +114,12 @@ class ClientEnd:
         once             never said again on another connection: for what moves a robot
         urgent           passes other requests that wait to be sent
         """
-        if len(body) > self._terms.body_limit:
-            raise ValueError(f"expected a request of {self._terms.body_limit} bytes at most, found {len(body)}")
         self.request_count += 1
         begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
         self._wishes[self.request_count] = _PendingRequest(body, once, urgent, begin_by_ns)
-        if self._liveness.is_linked:
+        if len(body) > self._terms.body_limit:
+            self._fail(RequestFate.TOO_LONG, [self.request_count])
+        elif self._liveness.is_linked:
             self._send(self.request_count, now_ns)
         elif once or self.state is LinkState.ENDED:
             self._fail(RequestFate.UNSENT, [self.request_count])

@@ -42,6 +42,10 @@ class Connector(PayloadSource, Protocol):
         """Nothing more is wanted."""
 
 
+class RequestTooLong(ValueError):
+    """A request is longer than this link carries: nothing was sent."""
+
+
 class Connection:
     """Requests that wait for their answer (`request`), requests that do not (`ask`), and the news (`poll`)."""
 
@@ -122,7 +126,7 @@ class Connection:
         """Ask and wait for the answer; news that comes meanwhile is kept for `poll`.
 
         The runtime refuses the request when it arrives after the time-out. Raises TimeoutError when there was no
-        answer in time, LinkLost when the link ended; in both cases it may have been carried out.
+        answer in time, LinkLost when the link ended; in both cases it may have been carried out. Raises RequestTooLong.
 
         once    for what moves a robot: never said again on another connection
         urgent  passes other requests that wait to be sent
@@ -244,6 +248,8 @@ class Connection:
     def _outcome(self, outcome: ReplyReceived | RequestFailed, timeout_s: float) -> bytes:
         if isinstance(outcome, ReplyReceived):
             return outcome.body
+        if outcome.fate is RequestFate.TOO_LONG:
+            raise RequestTooLong(outcome.fate.reason)
         if outcome.fate is RequestFate.LOST:
             raise self._lost or closed(outcome.fate.reason)
         if outcome.fate is RequestFate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):

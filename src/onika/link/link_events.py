@@ -52,6 +52,7 @@ class RequestFate(Enum):
     UNSENT = "link.fate_unsent"
     LATE = "link.fate_late"
     LOST = "link.fate_lost"
+    TOO_LONG = "link.fate_too_long"
 
     @property
     def reason(self) -> Reason:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 _MS = 1_000_000
+_MB = 1024 * 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +21,7 @@ class LinkTerms:
     """Signals under way that are not acknowledged yet."""
     piece: int = 64 * 1024
     """Bytes of a body that go in one packet; a longer one is split, so that signals pass it by."""
-    body_limit: int = 64 * 1024 * 1024
+    body_limit: int = 64 * _MB
     """Bytes of the longest body of a request or reply."""
     single: int = 512 * 1024
     """Bytes of the longest signal or reading, which are never split."""
@@ -33,8 +34,11 @@ class LinkTerms:
 LOCAL = LinkTerms()
 """Environment and runtime on one machine or a quiet network."""
 
-CHILD = LinkTerms(suspect_ns=2000 * _MS, lost_ns=30_000 * _MS, greeting_ns=60_000 * _MS)
-"""A runtime as a child process: its death closes the connection, so silence means a pause; it starts slowly."""
+CHILD = LinkTerms(suspect_ns=2000 * _MS, lost_ns=30_000 * _MS, greeting_ns=60_000 * _MS, body_limit=512 * _MB)
+"""A runtime as a child process: its death closes the connection, so silence means a pause; it starts slowly.
+
+Nobody else speaks to it there, and a plan is as large as the meshes of its worlds.
+"""
 
 REMOTE = LinkTerms(beat_ns=100 * _MS, lost_ns=5000 * _MS, greeting_ns=10_000 * _MS)
 """The environment's terms over a network: a runtime that is busy with a plan may be silent for some seconds.

@@ -3,10 +3,11 @@
 from typing import Any
 
 import msgspec
-from msgspec import Struct
+from msgspec import Struct, structs
 
 from onika.record.bare_text import decoder
 from onika.wire import event, live, request, steer
+from onika.wire.world_source import WorldSource
 
 EVENTS, COMMANDS, ANSWERS = "/events", "/commands", "/answers"
 
@@ -71,6 +72,14 @@ class RequestRecord(Struct, frozen=True):
     turn: int
     session: str
     request: request.Request
+
+
+def without_files(message: request.Request) -> request.Request:
+    """A request that nobody repeats: worlds without their files, which are as large as their meshes, only named."""
+    if not isinstance(message, live.Change) or not message.worlds:
+        return message
+    worlds = tuple(WorldSource(source.world, source.digest, ()) for source in message.worlds)
+    return structs.replace(message, worlds=worlds)
 
 
 def _schema(title: str, **properties: Any) -> bytes:

@@ -1,5 +1,6 @@
 import os
 import select
+from pathlib import Path
 
 from hypothesis import given, settings, strategies as st
 
@@ -26,6 +27,24 @@ def test_datagrams_arrive_whole_and_in_order(bodies):  # law 30
     for body in bodies:
         ours.send(body)
     assert everything(theirs) == bodies
+    ours.close()
+    theirs.close()
+
+
+def test_what_is_longer_than_a_datagram_may_be_arrives_whole_and_in_order():  # law 30, R-X19
+    ours, theirs = pair()
+    read, write = os.pipe()
+    held = len(list(Path("/proc/self/fd").iterdir()))
+    ours.send(b"before")
+    ours.send(bytes(20_000_000), (write,))
+    ours.send(b"behind")
+    assert theirs.receive() == (b"before", [])
+    body, (there,) = theirs.receive()
+    assert body == bytes(20_000_000) and theirs.receive() == (b"behind", [])
+    os.close(there)
+    assert len(list(Path("/proc/self/fd").iterdir())) == held
+    for descriptor in (read, write):
+        os.close(descriptor)
     ours.close()
     theirs.close()
 
@@ -113,7 +132,8 @@ def test_how_many_bytes_wait_is_known():  # law 30
         ours.send(bytes(100_000))
     assert ours.unsent == 100_000
     ours.send(b"more")
-    assert ours.unsent == 100_004
+    ours.send(bytes(1_000_000))
+    assert ours.unsent == 1_100_004
     everything(theirs)
     ours.flush()
     assert ours.unsent == 0

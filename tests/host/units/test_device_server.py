@@ -77,6 +77,20 @@ class Server:
         self._theirs.close()
 
 
+class Readied:
+    """Another robot that is worked out at once, and taken over when it may be."""
+
+    def __init__(self, may_be_taken):
+        self._may_be_taken = may_be_taken
+
+    def work_out(self):
+        return b"a model"
+
+    def take(self, worked_out):
+        assert worked_out == b"a model"
+        self._may_be_taken.wait()
+
+
 @pytest.fixture
 def server(monkeypatch):
     monkeypatch.setattr("onika.host.units.device_server.open_world", open_world)
@@ -136,7 +150,7 @@ def test_a_world_steps_on_while_another_robot_is_made_ready_and_a_stop_gets_thro
     server.open()
     grant = server.claim()
     monkeypatch.setattr(
-        MassWorld, "preparation", lambda world, name: ready.wait if name == "m1" else None, raising=False
+        MassWorld, "preparation", lambda world, name: Readied(ready) if name == "m1" else None, raising=False
     )
     former = MassWorld.stop
     monkeypatch.setattr(MassWorld, "stop", lambda world: former(world) or stopped.set())

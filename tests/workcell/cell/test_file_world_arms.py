@@ -85,15 +85,15 @@ def test_what_another_arm_takes_is_worked_out_beside_and_then_it_stands_there_at
     world, compiled = claimed("arm_left"), []
     note_what_is_compiled(world, compiled, monkeypatch)
     assert world.preparation("arm_left") is None and world.preparation("lamp") is None
-    prepare = world.preparation("scara_left")
+    preparation = world.preparation("scara_left")
     before = world.fingerprint(), world.poses().tobytes()
-    prepare()
+    preparation.take(world.preparation("scara_left").work_out())
     assert (world.fingerprint(), world.poses().tobytes()) == before
     assert len(compiled) == 2
     world.release("arm_left", 1)
     world.claim("scara_left", 1)
     assert world.scene() and world.preparation("scara_left") is None
-    assert len(compiled) == 2
+    assert world.snapshot() and len(compiled) == 2
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from time import monotonic_ns
 from typing import Protocol
 
-from onika.link.connection import Connection
+from onika.link.connection import Connection, RequestTooLong
 from onika.link.link_events import (
     EpochChanged,
     LinkNotice,
@@ -117,6 +117,8 @@ class RuntimeConversation:
             body = self._connection.request(request.encode(message), patience_s, once=once, urgent=urgent or once)
         except LinkLost as lost:
             raise self._explained(lost) from None
+        except RequestTooLong as refused:
+            return request.Refused(reason_of(refused))
         response: request.Response = request.decode_response(body)
         return response
 

@@ -183,7 +183,9 @@ def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
     prepared = [prepare_run(str(file), site) for file in applications]
     with LaunchedRuntime(_units(prepared), is_virtual=True) as runtime:
         faults += judged(configurations, site, partial(_described, runtime))
-        faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code), worlds), note)
+        faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
+        for world in worlds:  # each by itself: together their meshes may be more than a request holds
+            faults += _asked(runtime, request.Inspect((), (), (world,)), note)
         for run in prepared:
             faults += _judged(runtime, run, note)
     return faults
@@ -237,6 +239,8 @@ def _is_part(file: Path, site: Site) -> bool:
 
 def _asked(runtime: LaunchedRuntime, question: request.Request, note: Note) -> list[Fault]:
     answer = runtime.ask(question)
+    if isinstance(answer, request.Refused):
+        return [Fault(Place("runtime"), answer.reason, Reason.of("desk.not_read"))]
     if not isinstance(answer, request.Prepared):
         return []
     for sentence in answer.notes:

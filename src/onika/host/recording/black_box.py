@@ -119,7 +119,7 @@ class BlackBox:
         """Something was asked and carried out."""
         if isinstance(message, topics.STEERING):
             topic = topics.ANSWERS if isinstance(message, request.Reply) else topics.COMMANDS
-            body = topics.encode(topics.RequestRecord(self._driver.turn, session, message))
+            body = topics.encode(topics.RequestRecord(self._driver.turn, session, topics.without_files(message)))
             for _, box in self._open_boxes():
                 self._note(box, topic, body)
 

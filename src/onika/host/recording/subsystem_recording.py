@@ -95,7 +95,9 @@ class SubsystemRecording:
         """Something was asked and carried out that may change the course of things."""
         if getattr(message, "subsystem", self.live.name) in ("", self.live.name):
             topic = topics.ANSWERS if isinstance(message, request.Reply) else topics.COMMANDS
-            self._say(topic, topics.encode(topics.RequestRecord(self._seen.turn, session, message)))
+            self._say(
+                topic, topics.encode(topics.RequestRecord(self._seen.turn, session, topics.without_files(message)))
+            )
 
     def describe(self, about: RunRecord) -> Reason:
         """It consists of something else now; why that cannot be said, or nothing."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from onika.host.units.waiting_orders import Preparation
 from onika.host.units.world_registry import split
 from onika.ring.device import DriveEvent
 from onika.ring.displacement import Displacement
@@ -41,11 +42,12 @@ class ServedWorlds:
         self._behind[name] = now - world.now_ns
         return self._buses[name].is_simulated
 
-    def preparation(self, device: str) -> Callable[[], object] | None:
+    def preparation(self, device: str) -> Preparation | None:
         """What takes long before `world:device` can be claimed, and may be done beside; None: nothing does."""
         world, name = split(device)
-        preparation = getattr(self._buses[world].world, "preparation", None) if world in self._buses else None
-        return preparation(name) if preparation is not None else None
+        asked = getattr(self._buses[world].world, "preparation", None) if world in self._buses else None
+        preparation: Preparation | None = asked(name) if asked is not None else None
+        return preparation
 
     def grant(self, device: str, epoch: int) -> DeviceGrant:
         """Claim `world:device` for the writer of this epoch; raises ValueError with the reason."""

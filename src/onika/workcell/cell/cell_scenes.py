@@ -5,8 +5,11 @@ from dataclasses import replace
 
 from onika.model.world import LampBlock
 from onika.workcell.composed.composition import Composition, Offsets
+from onika.workcell.composed.drawing import Drawing, drawing
 from onika.workcell.plant import Plant
-from onika.workcell.scene import BULB, GLOW, Shape3d, looked_at
+from onika.workcell.scene import BULB, GLOW, Shape3d
+
+Standing = tuple[tuple[str, str], ...]
 
 
 class CellScenes:
@@ -16,16 +19,27 @@ class CellScenes:
         self._composition, self._offsets = composition, offsets
         self._paints = {shape: BULB for lamp in lamps for shape in lamp.shines}
         self._paints |= {shape: GLOW for lamp in lamps for shape in lamp.glows}
-        self._scenes: dict[tuple[tuple[str, str], ...], list[Shape3d]] = {}
+        self._drawings: dict[Standing, Drawing] = {}
+        self._scenes: dict[Standing, list[Shape3d]] = {}
 
-    def plant(self, standing: Mapping[str, str]) -> Plant:
-        """The world as it is drawn, at its start, with these robots at their places."""
-        return Plant(self._composition.compile(standing, self._offsets, is_drawn=True))
+    def has(self, standing: Mapping[str, str]) -> bool:
+        """Whether it has been worked out with these robots at their places."""
+        return tuple(standing.items()) in self._drawings
+
+    def keep(self, standing: Mapping[str, str], worked_out: Drawing) -> None:
+        """It was worked out elsewhere."""
+        self._drawings[tuple(standing.items())] = worked_out
+
+    def drawing(self, standing: Mapping[str, str]) -> Drawing:
+        """The world as it is drawn, with these robots at their places."""
+        if not self.has(standing):
+            self.keep(standing, drawing(Plant(self._composition.compile(standing, self._offsets, is_drawn=True))))
+        return self._drawings[tuple(standing.items())]
 
     def of(self, standing: Mapping[str, str]) -> list[Shape3d]:
-        """Its shapes, with these robots at their places."""
+        """Its shapes, painted as its lamps are."""
         key = tuple(standing.items())
         if key not in self._scenes:
-            shapes = looked_at(self.plant(standing))
+            shapes = self.drawing(standing).shapes
             self._scenes[key] = [replace(shape, paint=self._paints.get(shape.name, shape.paint)) for shape in shapes]
         return self._scenes[key]

@@ -4,7 +4,6 @@ It is offered to a runtime under no name of its own: whoever plans with it sends
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import mujoco
@@ -26,6 +25,7 @@ from onika.workcell.cell.cell_lookout import CellLookout
 from onika.workcell.cell.cell_places import CellPlaces
 from onika.workcell.cell.cell_scenes import CellScenes
 from onika.workcell.cell.cell_thing import called
+from onika.workcell.cell.robot_exchange import RobotExchange
 from onika.workcell.composed import part_places
 from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.joint_unit import JointUnit
@@ -92,18 +92,12 @@ class FileWorld(DrivenWorld):
         """What is odd about these devices in one flow, and forbids nothing: hands, and arms that do not bear them."""
         return tuple(self._stands.remarks(devices))
 
-    def preparation(self, device: str) -> Callable[[], object] | None:
-        """What takes long before another robot may stand at its place: its model, and what there is to draw of it.
-
-        It changes nothing, so that it may be done beside the steps of the world; nothing: the device can be claimed.
-        """
+    def preparation(self, device: str) -> RobotExchange | None:
+        """What takes long before another robot may stand at its place; nothing: the device can be claimed."""
         unit = next((unit for unit in self._stands.units if unit.sheet.name == device), None)
         standing = self._stands.acting if unit is None else self._stands.with_device(unit)
-        return None if standing == self._stands.acting else partial(self._prepare, standing)
-
-    def _prepare(self, standing: Mapping[str, str]) -> None:
-        self._composition.compile_ahead(standing, self._offsets)
-        self._scenes.of(standing)
+        exchange = RobotExchange(self._composition, self._scenes, standing, self._offsets)
+        return None if standing == self._stands.acting or exchange.is_ready else exchange
 
     def reset(self) -> None:
         """Everything back to its start, at rest; all drives hold. Time, claims and pressed buttons go on."""
@@ -163,7 +157,7 @@ class FileWorld(DrivenWorld):
 
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
-        drawn = self._scenes.plant(self._stands.acting)
+        drawn = self._scenes.drawing(self._stands.acting)
         glows = [(name, bool(lamp.flags.all())) for lamp in self._lamps for name in lamp.lamp.glows]
         lit, dark = ([name for name, shines in glows if shines is wanted] for wanted in (True, False))
         picture = still(drawn, self.poses(), self.lit, lit, dark)

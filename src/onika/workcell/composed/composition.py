@@ -6,6 +6,7 @@ from copy import copy
 from dataclasses import replace
 
 import mujoco
+import numpy as np
 
 from onika.model.robot import RobotText
 from onika.model.world import CONES, PlaceBlock, Spot
@@ -24,6 +25,8 @@ _FIRST_BIT, _MOST_ALOOF = 16, 12
 
 _LARGEST_KEPT = 4 * 2**20
 """Bytes of a model that is kept once it is compiled; one with large meshes is compiled each time it is wanted."""
+
+_BINARY = "world.mjb"
 
 NOTHING = ""
 """In place of a robot where none stands."""
@@ -105,7 +108,7 @@ class Composition:
 
         Where nobody looks, shapes that are only drawn are left out, unless a robot's inertia is said to be theirs.
         """
-        key = (tuple(standing.items()), tuple(offsets.items()), is_drawn)
+        key = _key(standing, offsets, is_drawn=is_drawn)
         if key in self._models:
             return copy(self._models[key])
         model = self._ahead.pop(key, None) or self._compiled_world(standing, offsets, is_drawn=is_drawn)
@@ -113,10 +116,21 @@ class Composition:
             self._models[key] = copy(model)  # whoever gets one may change it
         return model
 
-    def compile_ahead(self, standing: Mapping[str, str], offsets: Offsets) -> None:
-        """Have the model at hand when it is wanted next, where nobody looks; only the last one is kept."""
-        key = (tuple(standing.items()), tuple(offsets.items()), False)
-        self._ahead = {key: self.compile(standing, offsets, is_drawn=False)}
+    def is_kept(self, standing: Mapping[str, str], offsets: Offsets) -> bool:
+        """Whether the model is at hand, where nobody looks."""
+        return _key(standing, offsets, is_drawn=False) in self._models
+
+    def binary(self, standing: Mapping[str, str], offsets: Offsets) -> bytes:
+        """The same model for another copy of this process; raises ValueError with the reason why there is none."""
+        model = self.compile(standing, offsets, is_drawn=False)
+        written = np.empty(mujoco.mj_sizeModel(model), np.uint8)
+        mujoco.mj_saveModel(model, None, written)
+        return written.tobytes()
+
+    def keep_ahead(self, standing: Mapping[str, str], offsets: Offsets, binary: bytes) -> None:
+        """Have at hand what another copy has compiled, until it is wanted next; only the last one is kept."""
+        model = mujoco.MjModel.from_binary_path(_BINARY, {_BINARY: binary})
+        self._ahead = {_key(standing, offsets, is_drawn=False): model}
 
     def _compiled_world(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
         try:
@@ -246,6 +260,11 @@ class Composition:
             there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
             raise ValueError(Reason.of("workcell.no_such_name", there=there, name=spot.on))
         spec.attach(child, site=site, prefix=prefix)
+
+
+def _key(standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> object:
+    """Of what a model depends."""
+    return tuple(standing.items()), tuple(offsets.items()), is_drawn
 
 
 def _meet_others(child: mujoco.MjSpec, number: int) -> None:

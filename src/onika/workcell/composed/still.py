@@ -5,16 +5,13 @@ else it is seen whole.
 """
 
 from collections.abc import Collection, Iterator
-from typing import Any
 
-import mujoco
 import numpy as np
 import numpy.typing as npt
 
 from onika.laws.chain import text_of
-from onika.laws.frames import quaternion_of_rotation
-from onika.workcell.plant import Plant
-from onika.workcell.scene import Shape3d, looked_at
+from onika.workcell.composed.drawing import Drawing
+from onika.workcell.scene import Shape3d
 from onika.workcell.view import CAMERA, LOOK
 
 _LIGHT = (
@@ -42,7 +39,7 @@ _TOWARDS = np.array((-0.55, -0.75, 0.38))
 
 
 def still(
-    drawn: Plant,
+    drawn: Drawing,
     poses: npt.NDArray[np.float32],
     lit: Collection[str],
     glowing: Collection[str] = (),
@@ -52,7 +49,7 @@ def still(
 
     lit, glowing, unlit     shapes that shine; shapes of the light in the air, and those of lamps that are dark
     """
-    rows = [row for row in looked_at(drawn) if row.name not in unlit]
+    rows = [row for row in drawn.shapes if row.name not in unlit]
     colours = dict.fromkeys(lit, _SHINING) | dict(_glow(glowing))
     bodies = [
         f'<body pos="{text_of(pose[:3])}" quat="{text_of(pose[3:])}">{_geoms(rows, number, colours)}'
@@ -60,9 +57,9 @@ def still(
         for number, pose in enumerate(poses.astype(float))
         if number
     ]
-    sky = _SKY.replace("</asset>", f"{_FLOOR}{_materials(drawn.model)}</asset>")
+    sky = _SKY.replace("</asset>", f"{_FLOOR}{_materials(drawn)}</asset>")
     return (
-        f"<mujoco>{LOOK}{sky}<worldbody>{_LIGHT}{_eye(drawn) or _camera(poses.astype(float))}"
+        f"<mujoco>{LOOK}{sky}<worldbody>{_LIGHT}{drawn.eye or _camera(poses.astype(float))}"
         f"{_geoms(rows, 0, colours)}{''.join(bodies)}</worldbody></mujoco>"
     )
 
@@ -78,11 +75,11 @@ def _lamp(rows: list[Shape3d], body: int, glowing: Collection[str]) -> str:
     return "" if first is None else f'<light pos="{text_of(first.position)}" {_BULB_LIGHT}/>'
 
 
-def _materials(model: Any) -> str:
+def _materials(drawn: Drawing) -> str:
     """How they reflect; colours are those of the shapes."""
-    rows = ((model.material(k).name, model.mat_specular[k], model.mat_shininess[k]) for k in range(model.nmat))
     return "".join(
-        f'<material name="{name}" specular="{gloss:.4g}" shininess="{shine:.4g}"/>' for name, gloss, shine in rows
+        f'<material name="{each.name}" specular="{each.specular:.4g}" shininess="{each.shininess:.4g}"/>'
+        for each in drawn.materials
     )
 
 
@@ -98,21 +95,6 @@ def _geom(row: Shape3d, shining: str | None) -> str:
     paint = "tiles" if row.kind == "plane" else "" if shining else row.paint
     material = f'material="{paint}" ' if paint else ""
     return f'<geom type="{kind}" size="{size}" {place} {material}rgba="{colour}" contype="0" conaffinity="0"/>'
-
-
-def _eye(drawn: Plant) -> str:
-    """The camera of a model that is there for pictures."""
-    model = drawn.model
-    eyes = [k for k in range(model.ncam) if model.camera(k).name.rpartition(".")[2] == CAMERA]
-    if not eyes:
-        return ""
-    mujoco.mj_kinematics(model, drawn.data)
-    mujoco.mj_camlight(model, drawn.data)
-    place, turn = drawn.data.cam_xpos[eyes[0]], drawn.data.cam_xmat[eyes[0]].reshape(3, 3)
-    return (
-        f'<camera name="{CAMERA}" pos="{text_of(place)}" quat="{text_of(quaternion_of_rotation(turn))}" '
-        f'fovy="{float(np.ravel(model.cam_fovy)[eyes[0]])}"/>'
-    )
 
 
 def _camera(poses: npt.NDArray[np.float64]) -> str:
