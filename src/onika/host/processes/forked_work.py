@@ -11,7 +11,7 @@ from contextlib import suppress
 
 from onika.host.processes.forked_process import ForkedProcess
 from onika.host.processes.process_title import entitle
-from onika.link.launcher import die_with_parent
+from onika.link.child.launcher import die_with_parent
 
 _ERRORS, _STANDARD = 2, 3
 """The descriptors below are input and outputs."""
