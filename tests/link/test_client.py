@@ -263,7 +263,7 @@ def test_on_a_carrier_that_loses_packets_everything_is_said_again():
     assert end.due_ns(20) == 10
 
 
-def test_a_request_that_is_too_long_is_not_sent_and_said_to_be_so():  # R-F15
+def test_a_request_that_is_too_long_is_not_sent_and_said_to_be_so():  # R-X19
     end = linked(LinkTerms(body_limit=1000))
     end.take_notices()
     packets(end)
