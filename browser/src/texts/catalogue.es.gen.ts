@@ -2460,6 +2460,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "link.ended_with_code": "; terminó con el código {code}{during}",
   "link.fate_late": "llegó demasiado tarde y se rechazó; no se ejecutó nada",
   "link.fate_lost": "se perdió el enlace; puede que se ejecutara y puede que no",
+  "link.fate_too_long": "es más largo de lo que lleva una conexión, como pueden serlo las mallas de sus mundos; no se hizo nada",
   "link.fate_unsent": "no se envió; no se ejecutó nada",
   "link.frame_limit": "se esperaba una trama de 1 a {limit} bytes, se encontró una de {length}",
   "link.frozen": "el runtime no contestó a Stop durante {seconds:g} s: estaba congelado y se ha terminado",
