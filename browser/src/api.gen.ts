@@ -1420,6 +1420,7 @@ export interface ItemView {
   high?: (number)[] | null;
   default?: (unknown)[] | null;
   dimension?: string;
+  each?: number;
   place?: '' | 'joints' | 'pose';
 }
 

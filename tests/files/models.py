@@ -246,8 +246,9 @@ def syntaxes(draw: st.DrawFn) -> Syntax:
     colours = st.tuples(*(st.integers(0, 255),) * 3)
     dimensions = st.just("") | svar_names
     items = st.lists(
-        st.builds(DataItem, some_prose, st.sampled_from(ValueType), st.integers(1, 9), dimensions), max_size=3
-    )
+        st.builds(DataItem, some_prose, st.sampled_from(ValueType), st.integers(1, 9), dimensions, st.integers(1, 9)),
+        max_size=3,
+    ).map(lambda made: [item if item.dimension else replace(item, each=1) for item in made])
     types = [IconType(name, draw(edge_numbers), draw(edge_numbers)) for name in SPECIAL_TYPES]
     for at in range(draw(st.integers(0, 3))):
         word = draw(st.sampled_from(["job", "Application", "OBJECT", "thing"]))

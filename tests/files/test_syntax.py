@@ -72,3 +72,15 @@ def test_a_constant_may_say_how_many_values_there_are_and_a_1_3_file_stays_as_it
     assert (refused, [fault.reason.key for fault in faults]) == (None, ["files.version_for_line"])
     plain = DataItem("endpoint", ValueType.DOUBLE, 6)
     assert [plain.takes(count) for count in (6, 4)] == [True, False]
+
+
+def test_there_may_be_several_for_each_that_a_constant_counts():  # R-D13, R-K08
+    kinds = tuple(IconType(name, 0, 0) for name in SPECIAL_TYPES)
+    path = IconType("Path object", 0, 0, (DataItem("coefficients", ValueType.DOUBLE, 36, "NDOF", 6),))
+    text = write(Syntax((*kinds, path), (Edge(0, (1, 2, 3), ()),)))
+    assert "DIMENSION   NDOF 6\n" in text
+    item = read(text, "s", "f")[0].find("Path object").items[0]
+    assert item.each == 6 and [item.takes(count) for count in (36, 42, 30, 35, 0)] == [True, True, True, False, False]
+    for wrong in ("NDOF 0", "NDOF six", "NDOF 6 6", "6"):
+        _, (fault,) = read(text.replace("NDOF 6", wrong), "s", "f")
+        assert fault.reason.key == "files.meaning_after"

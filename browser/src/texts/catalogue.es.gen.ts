@@ -1951,6 +1951,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "files.text_of_one_line": "se esperaba un texto que quepa en una línea; hay {text}",
   "files.text_unclosed": "se esperaba {end}; termina el texto",
   "files.three_metres": "x y z en metros",
+  "files.times_each": "{each} × {name}",
   "files.too_large": "tiene {size} bytes, más de {most}",
   "files.tool_words": "un sitio o un cuerpo y, si la herramienta está al lado, x y z en metros",
   "files.trail_begins_midst": "se esperaba el principio de un archivo; hay una línea de en medio",

@@ -157,7 +157,9 @@ def _elements(line: FileLine, item: DataItem, reading: TextReading) -> tuple[Val
             line.number,
             Reason.of(
                 "files.ui_elements",
-                count=item.count,
+                count=item.count
+                if item.each == 1
+                else Reason.of("files.times_each", each=item.each, name=item.dimension),
                 value=item.type.value,
                 name=item.name,
                 count_2=len(words),

@@ -1,7 +1,7 @@
 """The syntax definition file, `OnikaUpperSetUp.dta` (dissertation §A.7).
 
 Of version 2.0 is the line DIMENSION behind NELEMS, as `DIMENSION NDOF`: there are as many elements as that constant of
-the robot says, and NELEMS is what is usual.
+the robot says, and NELEMS is what is usual. `DIMENSION NDOF 6` are six for each.
 """
 
 from collections.abc import Mapping, Sequence
@@ -64,7 +64,8 @@ def _show_type(kind: IconType) -> str:
     parts.append(row("RIGHTEDGE", str(kind.right_edge)))
     for item in kind.items:
         parts += [row("VARNAME", one_line(item.name)), row("DATATYPE", item.type.value), row("NELEMS", str(item.count))]
-        parts += [row("DIMENSION", item.dimension)] if item.dimension else []
+        each = (str(item.each),) if item.each > 1 else ()
+        parts += [row("DIMENSION", item.dimension, *each)] if item.dimension else []
     return "".join(parts)
 
 
@@ -100,12 +101,26 @@ def _type(block: Sequence[FileLine], reading: TextReading) -> IconType:
 
 
 def _item(by_keyword: _Found, reading: TextReading) -> DataItem:
+    dimension, each = _dimension(by_keyword["DIMENSION"], reading)
     return DataItem(
         _text(by_keyword["VARNAME"], Reason.of("files.name_of_item"), reading),
         reading.choice(by_keyword["DATATYPE"], _TYPES, ValueType.STRING),
         reading.whole(by_keyword["NELEMS"], 1, low=1),
-        reading.match(by_keyword["DIMENSION"], SVAR_NAME, Reason.of("files.name_of_constant")),
+        dimension,
+        each,
     )
+
+
+def _dimension(line: FileLine | None, reading: TextReading) -> tuple[str, int]:
+    """The constant that says how many elements there are, and how many for each that it counts."""
+    if line is None:
+        return "", 1
+    name, *each = line.words or ("",)
+    if SVAR_NAME.match(name) and all(word.isdecimal() and int(word) for word in each) and len(each) < 2:
+        return name, int(each[0]) if each else 1
+    meaning = Reason.of("files.name_of_constant")
+    reading.fault(line.number, Reason.of("files.meaning_after", meaning=meaning, keyword=line.keyword, line=str(line)))
+    return "", 1
 
 
 def _text(line: FileLine | None, meaning: Reason, reading: TextReading) -> str:

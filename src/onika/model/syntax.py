@@ -27,10 +27,12 @@ class DataItem:
     count: int
     dimension: str = ""
     """The constant that says how many there really are, as NDOF of the robot; `count` is then what is usual (D13)."""
+    each: int = 1
+    """How many there are for each that the constant counts, as coefficients of each joint."""
 
     def takes(self, number: int) -> bool:
         """Whether so many elements can be meant; where a constant says how many, that is seen before the run."""
-        return number == self.count or (bool(self.dimension) and number > 0)
+        return number == self.count or (bool(self.dimension) and number > 0 and number % self.each == 0)
 
 
 @dataclass(frozen=True, slots=True)

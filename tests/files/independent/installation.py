@@ -80,9 +80,10 @@ def syntax(text: str) -> dict[str, Any]:
             if item[2] < 1 or not item[0]:
                 raise ValueError("item")
             constant = script.new("DIMENSION")
-            if constant is not None and not re.fullmatch(r"[A-Z][A-Z0-9_^]*", constant):
+            form = re.fullmatch(r"([A-Z][A-Z0-9_^]*)(?:[ \t]+([0-9]+))?", constant or "A")
+            if form is None or (form[2] and int(form[2]) < 1):
                 raise ValueError(constant)
-            items.append((*item, constant or ""))
+            items.append((*item, form[1] if constant else "", int(form[2] or 1)))
         if not kind or (items and "object" not in kind.lower().split(" ")):
             raise ValueError(kind)
         types.append((kind, left, right, items))

@@ -141,7 +141,7 @@ def _syntax(syntax: Syntax) -> dict[str, Any]:
             kind.name,
             kind.left_edge,
             kind.right_edge,
-            [(item.name, item.type.value, item.count, item.dimension) for item in kind.items],
+            [(item.name, item.type.value, item.count, item.dimension, item.each) for item in kind.items],
         )
         for kind in syntax.types
     ]

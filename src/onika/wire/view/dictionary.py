@@ -23,6 +23,8 @@ class ItemView(View, frozen=True):
     default: tuple[Any, ...] | None = None
     dimension: str = ""
     """The constant that says how many values there are, `count` being what is usual; empty: it is `count`."""
+    each: int = 1
+    """How many there are for each that the constant counts."""
     place: Literal["", "pose", "joints"] = ""
     """Whether it says where an arm goes: as the pose of its tool, or as the values of its joints."""
 

@@ -49,3 +49,9 @@ def test_there_are_as_many_values_as_the_type_has():  # R-D08
     assert words_of([PLACE], (("1",),)) == {"place": "expected 3 values, found 1"}
     assert words_of([TIMES], (("",),)) == {"times": "a value is missing"}
     assert checked([], ()) == ()
+
+
+def test_of_several_for_each_joint_there_are_so_many_for_every_one():  # R-D13, R-K08
+    path = ItemView("coefficients", "double", 4, dimension="NDOF", each=2)
+    assert checked([path], (("1", "2"),)) == ((1.0, 2.0),)
+    assert words_of([path], (("1", "2", "3"),)) == {"coefficients": "expected 4 values, found 3"}

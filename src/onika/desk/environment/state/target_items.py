@@ -84,12 +84,13 @@ def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:
         high=_widest([_bound(use, use.input.high, item.count, limits) for use in uses], max),
         default=_spread(defaults[0], item.count) if defaults else None,
         dimension=item.dimension,
+        each=item.each,
     )
 
 
 def _place(item: ItemView, uses: Sequence[InputUse], libraries: OpenLibraries) -> Literal["", "pose", "joints"]:
     """Whether it says where an arm goes: the angles of its joints, or a frame, which its task also measures."""
-    if item.dimension and item.unit == "rad":
+    if item.dimension and item.each == 1 and item.unit == "rad":
         return "joints"
     if item.count == pose_numbers.COUNT and any(_measures_frame(use, libraries) for use in uses):
         return "pose"

@@ -34,7 +34,7 @@ def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, Reason
     wrong: dict[str, Reason] = {}
     wrong_values = []
     for item, some in zip(items, words, strict=True):
-        if len(some) != item.count and not (item.dimension and some):
+        if len(some) != item.count and not (item.dimension and some and len(some) % item.each == 0):
             wrong[item.name] = Reason.of("desk.value_count", count=item.count, given=len(some))
             continue
         values: list[Value] = []
