@@ -1,7 +1,8 @@
 """The programs of a new robot: its tasks, jobs, targets, a small application and a test (requirement X19)."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from onika.files import appl, conf, kept, onk, rmod
 from onika.files.line import show_number
@@ -171,23 +172,25 @@ class RobotPrograms:
 
     def _picture(self, name: str) -> Picture:
         """The robot itself where it goes to or comes from a place, else what its hand or base does, else letters."""
-        return self._pictures().get(name) or drawn(name)
+        draw = self._pictures().get(name)
+        return drawn(name) if draw is None else draw()
 
-    def _pictures(self) -> dict[str, Picture]:
-        pictures = {
-            f"grip_{self.name}C": job_pictures.of_hand(),
-            f"{self.name}_open": job_pictures.of_opened(),
-            f"{self.name}_closed": job_pictures.of_closed(),
-            f"drive_{self.name}C": job_pictures.of_base(),
-            f"{self.name}_ahead": job_pictures.of_goal(),
-            f"{self.name}_start": job_pictures.of_goal_behind(),
-            f"{self.name}_line": job_pictures.of_goal(),
+    def _pictures(self) -> dict[str, Callable[[], Picture]]:
+        """Who draws which icon."""
+        pictures: dict[str, Callable[[], Picture]] = {
+            f"grip_{self.name}C": job_pictures.of_hand,
+            f"{self.name}_open": job_pictures.of_opened,
+            f"{self.name}_closed": job_pictures.of_closed,
+            f"drive_{self.name}C": job_pictures.of_base,
+            f"{self.name}_ahead": job_pictures.of_goal,
+            f"{self.name}_start": job_pictures.of_goal_behind,
+            f"{self.name}_line": job_pictures.of_goal,
         }
         if self.draft.pictures:
             home, away = self.draft.pictures
-            pictures |= {f"{self.name}_home": Picture(home), f"{self.name}_away": Picture(away)}
-            pictures[f"jmove_{self.name}C"] = job_pictures.of_joints(home, away)
-            pictures[f"cmove_{self.name}C"] = job_pictures.of_line(away)
+            pictures |= {f"{self.name}_home": partial(Picture, home), f"{self.name}_away": partial(Picture, away)}
+            pictures[f"jmove_{self.name}C"] = partial(job_pictures.of_joints, home, away)
+            pictures[f"cmove_{self.name}C"] = partial(job_pictures.of_line, away)
         return pictures
 
     def _said(self, key: str) -> str:
