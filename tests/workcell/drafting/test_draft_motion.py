@@ -8,7 +8,7 @@ from kit.worlds.file_cells import ARM, files_of
 from onika.laws import reach
 from onika.laws.arm_identity import arm_constants
 from onika.store.shipped import shipped
-from onika.workcell.composed.robot_model import robot_model
+from onika.workcell.composed.robot_model import at_home, robot_model
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.drafting.draft_motion import beside_home, lowest_point, seconds_between, straight_line
 
@@ -50,6 +50,22 @@ def test_an_arm_of_few_joints_goes_straight_where_its_tool_keeps_its_direction()
     turned = replace(arm, lowest=np.append(arm.lowest[:2], 0.0), highest=np.append(arm.highest[:2], 0.0))
     stuck = replace(turned, constants={**arm.constants, "QMIN": tuple(turned.lowest), "QMAX": tuple(turned.highest)})
     assert straight_line(MODEL, stuck, (stuck,), arm.home) == ((), 0.0, ())
+
+
+def test_a_straight_line_on_which_the_robot_meets_itself_is_not_taken():  # R-X19
+    arm = facts()
+    quill = at_home(MODEL, (arm,)).body("quill")
+    x, y, z = quill.xpos + quill.xmat.reshape(3, 3) @ (0.015, 0.0, -0.045)
+
+    def barred(size):
+        knob = f'<geom type="sphere" size="{size}" pos="{x} {y} {z}"/><body name="foot">'
+        return mujoco.MjModel.from_xml_string(ARM.replace('<body name="foot">', knob))
+
+    _, _, free = straight_line(MODEL, arm, (arm,), arm.home, elbow().excluded)
+    _, _, around = straight_line(barred(0.01), arm, (arm,), arm.home, elbow().excluded)
+    assert (free[-1][2], around[-1][2]) == pytest.approx((-0.06, 0.06), abs=1e-5)
+    _, _, touching = straight_line(barred(0.04), arm, (arm,), arm.home, elbow().excluded)
+    assert np.allclose(touching[-1], free[-1])  # it does so where the line begins, wherever that leads
 
 
 def test_a_straight_line_takes_as_long_as_the_joints_need_for_it():  # R-X19

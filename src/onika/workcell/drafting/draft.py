@@ -139,7 +139,7 @@ def _complete(
         known.robot.name, known.robot.file, known.robot.description, devices=devices, cameras=known.robot.cameras
     )
     away = beside_home(model, arm, known.excluded)
-    line, line_s, along = straight_line(model, arm, known.joints, away)
+    line, line_s, along = straight_line(model, arm, known.joints, away, known.excluded)
     lowest = lowest_point(model, arm, (arm.home, away, *along))
     floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
     urdf_speeds = known.robot.file.endswith(_URDF)

@@ -48,19 +48,26 @@ def seconds_between(facts: JointFacts, away: Array) -> float:
 
 
 def straight_line(
-    model: Any, facts: JointFacts, devices: Sequence[JointFacts], away: Array
+    model: Any,
+    facts: JointFacts,
+    devices: Sequence[JointFacts],
+    away: Array,
+    excluded: Sequence[tuple[str, str]] = (),
 ) -> tuple[tuple[float, ...], float, tuple[Array, ...]]:
     """The nine numbers of a pose to which the tool goes straight from there, seconds, postures; empty: none was found.
 
-    The pose is that in a world whose middle is the middle of the model; `devices` stand at home.
+    The pose is that in a world whose middle is the middle of the model; `devices` stand at home. On its way the robot
+    does not reach into itself, unless it does so where the line begins.
     """
+    apart = {frozenset(pair) for pair in excluded}
+    is_free = not _meets(model, facts, away, apart)
     stand = chain.body_pose(at_home(model, devices), int(model.body(facts.start).id))
     constants = arm_constants({**facts.constants, "BASE": tuple(stand.ravel().tolist())})
     nine = reach.poses(constants, [away.tolist()])[0]
     for length, way in product(_LINES_M, _ways(nine)):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
         postures = _without_jump(reach.postures_along(constants, points, away.tolist(), starts=0), away)
-        if len(postures) < len(points):
+        if len(postures) < len(points) or (is_free and any(_meets(model, facts, each, apart) for each in postures)):
             continue
         fastest = _fastest([away, *postures], facts.speed)
         if fastest <= _SLOWEST_S:
