@@ -1,6 +1,7 @@
 """One rule, all modules: the docstring is the class is the `.rmod`; a hundred cycles; errors reach the module."""
 
 import ast
+import functools
 import re
 import sys
 import tempfile
@@ -60,16 +61,24 @@ def name(path):
     return f"{path.parts[-3]}-{path.stem}"
 
 
+@functools.cache
 def task_of(path):
     record, faults = rmod.read(path.read_text(), path.stem, str(path))
     assert record is not None, faults
     return record.task
 
 
+@functools.cache
 def code_of(path):
     """The code behind a task file: beside it, else the first that a laboratory has."""
     module = task_of(path).module
     return next(code for code in (path.with_name(f"{module}.py"), *MODULES) if code in MODULES and code.stem == module)
+
+
+@functools.cache
+def boxes():
+    """The sheets of the devices of the boxes."""
+    return tuple(boxes_world().devices())
 
 
 def device_of(task):
@@ -81,9 +90,7 @@ def device_of(task):
         return CELL[task.module](task.module)
     if named in ("bench:lamp", "motor:lamp", "motor_pair:lamp"):
         return BenchDevice(("on_pad",), (), {"WHEN": "on_pad"})
-    sheet = next(
-        device for device in boxes_world().devices() if f"boxes:{device.name}" == named.replace("motor_pair:", "boxes:")
-    )
+    sheet = next(device for device in boxes() if f"boxes:{device.name}" == named.replace("motor_pair:", "boxes:"))
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
