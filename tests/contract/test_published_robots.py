@@ -107,6 +107,7 @@ def skipped(package):
     pytest.skip(f"{package} is not installed: pip install 'onika[{'dev' if package in OF_DEV else 'robots'}]'")
 
 
+@pytest.mark.usefixtures("warm_runtimes")
 def test_a_published_robot_is_made_and_moves(published, capsys):  # R-X19, R-K05
     stands_where_its_model_has_it(published)
     goes_where_it_is_led_and_bears_its_weight(published)

@@ -4,10 +4,14 @@ Written from the appendix and the decisions on it alone, without a look at `onik
 the appendix does not allow raises ValueError.
 """
 
+import re
+
+NOT_PRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
+
 
 class Script:
     def __init__(self, text: str, versioned: bool = True, extended: bool = False) -> None:
-        if any((ord(c) < 32 and c not in "\t\n\r") or 127 <= ord(c) < 160 for c in text):
+        if NOT_PRINTABLE.search(text):
             raise ValueError("not printable")
         if text[:1] == "\ufeff":
             text = text[1:]
