@@ -53,10 +53,10 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
 # The profile draws the same examples every time, so a change is judged by what it changed, and fifteen in a hundred of those
-# that `soak` draws anew. What starts programs runs apart from what starts browsers: both wait for the clock most of the
-# time, so three at a time share two processors. What only computes goes on behind them, and gets what they leave. The
-# first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried twice more, and
-# the summary names it as RERUN. A test that fails three times has a fault.
+# that `soak` draws anew. What starts programs or browsers waits for the clock most of the time, so four at a time share two
+# processors. What only computes goes on behind them, and gets what they leave. The first meet the machine's clock, and so do
+# a few of the rest that start a process: what fails is tried twice more, and the summary names it as RERUN. A test that
+# fails three times has a fault. In order of their folders, those with a browser come one after the other, and share it.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
@@ -67,10 +67,9 @@ test: check ## the checks and all tests but the soak
 
 tests: $(VENV)/.installed-dev page
 	@$(SIDE_BY_SIDE) \
-	  'PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)' \
-	  '$(TESTS) --numprocesses=3 -m "site and not slow"' \
-	  '$(TESTS) --numprocesses=3 -m "page and not slow"' \
-	  --behind '$(TESTS) --numprocesses=2 -m "not slow and not site and not page"'
+	  '$(TESTS) --numprocesses=4 --no-loadscope-reorder -m "(site or page) and not slow"' \
+	  --behind '$(TESTS) --numprocesses=2 -m "not slow and not site and not page"' \
+	  --behind 'PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)'
 
 mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
 	PYTHONPATH=tools $(BIN)/python -m mutation
