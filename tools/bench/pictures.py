@@ -86,7 +86,6 @@ def opening(browser: Browser, address: str, title: str) -> Page:
     page.locator("[data-step]").first.wait_for(state="attached")
     said(title, f"{time.perf_counter() - began:.2f}")
     page.wait_for_timeout(1500)
-    page.evaluate(PAINTED)
     page.evaluate(SINCE_ACT)
     return page
 
@@ -190,6 +189,7 @@ def main() -> None:
             dictionary(page)
             inserting(page)
             highlighting(page)
+            page.evaluate(PAINTED)  # not before: what is heard waits for a frame that is asked for
             scrolling(page)
             dragging(page)
             page.context.close()

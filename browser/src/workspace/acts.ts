@@ -65,13 +65,15 @@ export function selectAll(): void {
 
 export const deselect = (): void => pickSteps()
 
-/** A hole stands for the step before it (reading 33). */
-export function placeBehind(step: number): void {
+/** The place behind a step; a hole stands for the step before it (reading 33). */
+export function placeOf(step: number): Place {
   const flow = flowOf(workspaceState.app, step)
   const steps = workspaceState.app?.flows?.[flow]?.steps ?? []
   const after = workspaceState.step(step)?.kind === 'hole' ? (steps[steps.indexOf(step) - 1] ?? 0) : step
-  workspace.place = { flow, after }
+  return { flow, after }
 }
+
+export const placeBehind = (step: number): void => void (workspace.place = placeOf(step))
 
 /** Put the insertion cursor somewhere, and bring it into view. */
 export function goTo(place: Place, isSaid = false): void {

@@ -56,7 +56,6 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
     if (!isPaper(event)) return
     workspaceState.hovered = 0
     clearTimeout(rest)
-    paper.focus({ preventScroll: true })
     hand.down(event)
   })
   on(ground, 'mousedown', (event) => isPaper(event) && event.preventDefault()) // the middle button scrolls, the left one marks text

@@ -1,6 +1,6 @@
 // What the buttons of a mouse, a pen or fingers mean in the workspace (table B.4).
 import { openDialog } from '../state/dialogs.svelte'
-import { pickSteps, workspace } from '../state/workspace.svelte'
+import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { Press } from '../gesture/press'
 import type { Gesture } from '../gesture/gesture'
 import { skipMode } from '../run/skipMode.svelte'
@@ -11,9 +11,11 @@ import {
   editPicture,
   expand,
   goTo,
-  insertSelected,
+  insert,
+  noteSteps,
   pickedSteps,
   placeBehind,
+  placeOf,
   select,
   selectAlso,
   selectTo,
@@ -24,6 +26,10 @@ import { headOf } from '../application/actions'
 import { gapAt } from '../application/gaps'
 import { Dragging } from './dragging'
 import { Marquee } from './marquee'
+
+/** So long the press that inserts waits for its answer before it is shown itself. */
+const SOON_MS = 50
+let isInserting = false
 
 type At = { x: number; y: number }
 const at = (event: { clientX: number; clientY: number }): At => ({ x: event.clientX, y: event.clientY })
@@ -47,9 +53,10 @@ export class PointerGestures {
 
   down(event: PointerEvent): void {
     const over = overOf(event.target)
+    this.hasInserted = event.button === 2 && event.pointerType === 'mouse' && inserts(event)
+    if (!this.hasInserted) workspaceState.focus()
     if (event.button === 0 && pointsAtEnd(over)) return
     workspaceState.close()
-    this.hasInserted = event.button === 2 && event.pointerType === 'mouse' && inserts(event)
     if (this.hasInserted) this.insert(event, over)
     if (this.gesture || event.button > 1) return
     this.pointer = event.pointerId
@@ -94,8 +101,12 @@ export class PointerGestures {
   /** When the button goes down, not when the browser would show its menu: that is later, on some systems when it is let go. */
   private insert(event: MouseEvent, over: Over): void {
     this.cancel()
-    placeBy(event, over)
-    void insertSelected(workspace.onikon, workspace.place, at(event))
+    const place = over.kind === 'step' ? placeOf(over.step) : (gapNear(at(event)) ?? workspace.place)
+    if (over.kind === 'step') noteSteps('select_icon', [over.step])
+    void insertByPress(place, at(event), () => {
+      placeBy(event, over)
+      workspaceState.focus()
+    }).then(() => workspaceState.focus())
   }
 
   private left(event: PointerEvent, over: Over): Gesture {
@@ -161,14 +172,40 @@ function pointsAtEnd(over: Over): boolean {
 
 /** Put the insertion cursor where the pointer is; false where there is no place near. */
 function placeAt(point: At): boolean {
-  const { x, y } = workspaceState.toPaper(point)
-  const gap = gapAt(workspaceState.base.gaps, x, y, workspaceState.size)
+  const gap = gapNear(point)
   if (gap) goTo(gap)
   return gap !== undefined
 }
 
-/** Whether the right button inserts now. */
-const inserts = (event: MouseEvent): boolean => workspace.onikon !== '' && !event.shiftKey
+/** The place between icons where the pointer is. */
+function gapNear(point: At): Place | undefined {
+  const { x, y } = workspaceState.toPaper(point)
+  return gapAt(workspaceState.base.gaps, x, y, workspaceState.size)
+}
+
+/** Whether the right button inserts now; not while it does so. */
+const inserts = (event: MouseEvent): boolean => workspace.onikon !== '' && !event.shiftKey && !isInserting
+
+/**
+ * What is selected in the dictionary goes into a place, and is selected no more; refused, it stays so. Nothing of the press
+ * is drawn before the answer where that comes soon: a browser first paints what a press has changed, and hears the answer
+ * only then. `show` shows where the press was: where it is refused, or the answer comes late.
+ */
+async function insertByPress(place: Place, point: At, show: () => void): Promise<void> {
+  const { onikon } = workspace
+  const putAway = (): void => {
+    isInserting = false
+    if (workspace.onikon === onikon) workspace.onikon = ''
+  }
+  const late = setTimeout(() => (putAway(), show()), SOON_MS)
+  isInserting = true
+  const wentWell = await insert(onikon, place, point)
+  clearTimeout(late)
+  putAway()
+  if (wentWell) return
+  workspace.onikon ||= onikon
+  show()
+}
 
 /** Put the insertion cursor behind the icon that is pointed at, or between icons. */
 function placeBy(event: MouseEvent, over: Over): void {

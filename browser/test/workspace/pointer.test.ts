@@ -328,6 +328,37 @@ describe('the right button', () => {
     expect(workspace.onikon).toBe('open')
   })
 
+  test('shows nothing of the press where the answer comes soon', async () => {
+    // R-G07
+    workspace.onikon = 'open'
+    answers.set('InsertIcon', 9)
+    const place = workspace.place
+    hand.down(event(over(3), { ...at(3), button: 2 }))
+    expect([workspace.onikon, workspace.place, [...workspace.steps]]).toEqual(['open', place, []])
+    await settled()
+    expect([workspace.onikon, workspace.place]).toEqual(['', { flow: '0', after: 9 }])
+  })
+
+  test('shows the press where the answer comes late', async () => {
+    // R-G07
+    vi.useFakeTimers()
+    workspace.onikon = 'open'
+    answers.set('InsertIcon', new Promise(() => undefined))
+    hand.down(event(over(3), { ...at(3), button: 2 }))
+    vi.advanceTimersByTime(60)
+    vi.useRealTimers()
+    expect([workspace.onikon, workspace.place, [...workspace.steps]]).toEqual(['', { flow: '0', after: 3 }, [3]])
+  })
+
+  test('inserts once where it is pressed again before the answer', async () => {
+    // R-D03
+    workspace.onikon = 'open'
+    answers.set('InsertIcon', 9)
+    for (const step of [3, 1]) hand.down(event(over(step), { ...at(step), button: 2 }))
+    await settled()
+    expect(sent).toHaveLength(1)
+  })
+
   test('opens a menu where nothing is selected there', () => {
     hand.context(event(over(3), { ...at(3), button: 2 }))
     expect(workspaceState.opened).toMatchObject({ kind: 'menu', over: { kind: 'step', step: 3 } })
