@@ -9,5 +9,5 @@ PRELOADED = ("numpy", "mujoco", "ruckig", "onika.module", "onika.laws.arm", "oni
 def preload() -> None:
     """Import those that are installed."""
     for name in PRELOADED:
-        with contextlib.suppress(ImportError):  # a module that needs it will say so
+        with contextlib.suppress(Exception):  # a module or a world that needs it will say so, and why
             importlib.import_module(name)
