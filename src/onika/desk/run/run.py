@@ -13,6 +13,7 @@ from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
 from onika.desk.plan.varied import varied
+from onika.desk.plan.world_causes import with_causes
 from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -204,7 +205,7 @@ def _open(
         else opens(plan, world_values) as runtime
     ):
         _prepare(prepared, plan, runtime, outcome)
-        outcome.faults = with_worlds(outcome.faults, site)
+        outcome.faults = with_causes(with_worlds(outcome.faults, site), site)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
         outcome.faults = causes_first((*outcome.faults, *_unheard_of(settings.expectations, plan)))
         if outcome.faults:

@@ -9,6 +9,7 @@ from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.plan.module_code import module_code
 from onika.desk.plan.placed_puzzle import PlacedPuzzle
 from onika.desk.plan.preparation import PreparedRun, prepare_run
+from onika.desk.plan.world_causes import with_causes
 from onika.desk.plan.world_survey import world_sources
 from onika.desk.run.configuration_survey import judged, need_modules, surveyed
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -188,7 +189,7 @@ def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
             faults += _asked(runtime, request.Inspect((), (), (world,)), note)
         for run in prepared:
             faults += _judged(runtime, run, note)
-    return faults
+    return with_causes(faults, site)
 
 
 def _puzzle_faults(files: list[Path], site: Site) -> list[Fault]:

@@ -8,10 +8,12 @@ import pytest
 from kit.desk.environment_fixture import EnvironmentFixture
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import HOLE, job
+from kit.worlds.file_cells import CELL
 from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge, judged
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.flow_path import numbered, spots
+from onika.store.shipped import shipped
 from onika.store.site import open_site
 from onika.wire import act
 
@@ -148,3 +150,27 @@ def test_a_flow_that_a_guest_carries_out_bears_its_name(play):  # R-A20
     look(play, judge, judge.cases(play.environment.model))
     shown = play.environment.tree.applications
     assert (shown[theirs].guests, shown[mixed].guests) == ({"flow0": "oracle"}, {})
+
+
+def test_files_of_worlds_that_change_are_seen_and_what_is_wrong_with_them_told(tmp_path):  # R-E01, R-X19
+    play = RunFixture(tmp_path)
+    lab = play.files.path
+    for name, text in CELL.items():
+        (lab / name).parent.mkdir(parents=True, exist_ok=True)
+        (lab / name).write_text(text)
+    task = (shipped() / "arms" / "module" / "arm_pos.rmod").read_text()
+    (lab / "module" / "elbow.rmod").write_text(task.replace("workshop:jointed_bay", "cell:elbow_left"))
+    play.files.configuration("elbowC", "elbow 100")
+    judge = ReadinessJudge(open_site((lab,), {}, None))
+    doc = play.open([job("elbowC")])
+    look(play, judge, judge.cases(play.environment.model))
+    before = shown(play, doc)
+    assert judge.stale(play.environment.model) == ()
+    for name in ("robot/elbow.xml", "robot/elbow.robot", "world/cell.world"):
+        (lab / name).write_text(CELL[name].replace("FLOOR 0", "FLOOR low"))
+        os.utime(lab / name, ns=(1, 1))
+        assert look(play, judge, judge.stale(play.environment.model)) == 1
+    assert any("FLOOR low" in text for text in shown(play, doc))
+    (lab / "world/cell.world").write_text(CELL["world/cell.world"])
+    look(play, judge, judge.stale(play.environment.model))
+    assert shown(play, doc) == before

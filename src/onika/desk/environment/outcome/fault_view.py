@@ -12,6 +12,7 @@ from onika.desk.plan.icon_names import a_kind, kind_named, quoted
 from onika.desk.plan.known_worlds import with_worlds
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
+from onika.desk.plan.world_causes import with_causes
 from onika.files import appl, rmod
 from onika.model.application import Application, Branch, Hole, Icon, Step, actions
 from onika.model.flow_path import StepAddress, flows_by_path, spots
@@ -103,7 +104,7 @@ class FaultViews:
         """Faults and notes, those of tasks with who could stand for these."""
         every = folded(faults)
         if self.prepared is not None and self.site is not None:
-            every = with_worlds(every, self.site)
+            every = with_causes(with_worlds(every, self.site), self.site)
             every = with_substitutes(every, self.prepared, self.redirects, self.site)
         views: dict[tuple[int, str], FaultView] = {}
         for cause in by_cause(every):

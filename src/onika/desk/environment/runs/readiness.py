@@ -28,6 +28,7 @@ from onika.model.syntax import Syntax
 from onika.store.cached_site import RememberingSite, Stamp
 from onika.store.program import ApplicationProgram
 from onika.store.site import Site
+from onika.store.world_source import world_path
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy
 from onika.words.reason import Reason
@@ -54,6 +55,8 @@ class _Known:
     stamps: tuple[Stamp, ...]
     program: ApplicationProgram | None
     redirects: tuple[Redirect, ...] = ()
+    of_worlds: tuple[Path, ...] = ()
+    """The files of its worlds, and those in which something was wrong."""
 
 
 class ReadinessJudge:
@@ -83,7 +86,7 @@ class ReadinessJudge:
         judged = []
         for opened in model.applications.values():
             former = self._known.get(opened.id)
-            if former is not None and former.stamps != self._stamps(opened, former.program):
+            if former is not None and former.stamps != self._stamps(opened, former.program, former.of_worlds):
                 judged.append(ReadinessCase(opened, model.syntax, dirty, has_new_files=True))
         return tuple(judged)
 
@@ -91,9 +94,10 @@ class ReadinessJudge:
         """What is wrong with an application, and what is worth knowing of it."""
         opened = case.opened
         prepared = ready(opened, self._site, case.syntax)
-        stamps = self._stamps(opened, prepared.program)
+        of_worlds = _files_of_worlds(self._home(opened), prepared)
+        stamps = self._stamps(opened, prepared.program, of_worlds)
         self._known[opened.id] = _Known(
-            opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects
+            opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects, of_worlds
         )
         troubles = FaultViews.of(opened, case.syntax, prepared, self._site)
         fault_views = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
@@ -110,20 +114,36 @@ class ReadinessJudge:
             return True
         return former.dirty != case.dirty
 
-    def _stamps(self, opened: OpenApplication, program: ApplicationProgram | None) -> tuple[Stamp, ...]:
+    def _home(self, opened: OpenApplication) -> Site:
+        return self._site if opened.base is None else self._site.at(opened.base)
+
+    def _stamps(
+        self, opened: OpenApplication, program: ApplicationProgram | None, of_worlds: tuple[Path, ...]
+    ) -> tuple[Stamp, ...]:
         """Of all files that count, also of those that are not there."""
-        home = self._site if opened.base is None else self._site.at(opened.base)
+        home = self._home(opened)
         if program is None:
             return self._site.stamps(_files_of(home, [opened.application]))
         applications = [opened.application, *program.applications.values()]
         files = (*_files_of(home, applications), *_files_of_tasks(home, program), *program.code.values())
-        return self._site.stamps(files)
+        return self._site.stamps((*files, *of_worlds))
 
 
 def _files_of(home: Site, applications: Iterable[Application]) -> list[Path | None]:
     """The files behind the icons of applications; what an icon stands for may be of either kind."""
     names = dict.fromkeys(icon.onikon.name for application in applications for icon in icons(application))
     return [*(home.configuration_file(name) for name in names), *(home.application_file(name) for name in names)]
+
+
+def _files_of_worlds(home: Site, prepared: PreparedRun) -> tuple[Path, ...]:
+    """The files of the worlds that a plan drives; of one that is at fault its text, and what else is at fault."""
+    if prepared.plan is None:
+        return ()
+    driven = dict.fromkeys(world for worlds in worlds_by_flow(prepared.plan).values() for world in worlds)
+    texts = filter(None, (world_path(world.partition("@")[0], home) for world in driven))
+    read = (Path(file.path) for source in prepared.plan.worlds for file in source.files)
+    wrong = (Path(fault.place.file) for fault in prepared.faults)
+    return tuple(dict.fromkeys((*texts, *read, *(path for path in wrong if path.is_absolute()))))
 
 
 def _files_of_tasks(home: Site, program: ApplicationProgram) -> list[Path | None]:
