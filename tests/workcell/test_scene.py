@@ -79,6 +79,15 @@ def test_of_a_body_that_is_drawn_what_only_touches_is_left_out():  # R-X19
     assert (seen.name, seen.hinge.joint, seen.rgba, only.name) == ("seen", "j", (1.0, 0.0, 0.0, 1.0), "only")
 
 
+def test_what_touches_in_a_group_of_its_own_is_left_out_beside_what_is_only_drawn():  # R-X19
+    plate = '<geom name="{}" type="box" size="1 1 1" group="{}" contype="{}" conaffinity="{}"/>'
+    hull, skin = plate.format("hull", 0, 1, 1), plate.format("skin", 1, 0, 0)
+    glow, alike = plate.format("glow", 0, 0, 0), plate.format("alike", 0, 1, 1)
+    bodies = f"<body>{hull}{skin}</body><body>{alike}{glow}</body><body>{plate.format('lone', 0, 1, 1)}</body>"
+    names = [shape.name for shape in looked_at(plant_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))]
+    assert names == ["skin", "alike", "glow", "lone"]
+
+
 def test_a_mesh_has_a_name_and_stands_in_the_box_around_it():  # R-X19
     corners = " ".join(f"{x} {y} {z}" for x in (0, 2) for y in (0, 4) for z in (0, 6))
     mesh = f'<asset><mesh name="m" vertex="{corners}"/></asset>'

@@ -18,7 +18,7 @@ export class RunClock {
     const isNew = run.number !== this.number
     const known_s = latest(run)
     const begins = this.isBeginning && !isNew && run.state === 'running'
-    this.isBeginning = run.state === 'beginning'
+    this.isBeginning = (run.state ?? 'beginning') === 'beginning' // what is as usual is not sent
     if (begins) this.offset_s = known_s - here_s
     else if (isNew) {
       this.number = run.number

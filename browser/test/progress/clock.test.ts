@@ -15,6 +15,14 @@ describe('the clock of a run', () => {
     expect(clock.at(52.5)).toBeCloseTo(2.5)
   })
 
+  it('is none of the run as long as that begins, which is not said, as it is so at first', () => {
+    const clock = new RunClock()
+    clock.take(run({ state: undefined }), 40, 0)
+    expect(clock.at(48)).toBe(0)
+    clock.take(run({ flows: { flow0: { order: 0, began_s: 1 } } }), 50, 0)
+    expect(clock.at(50)).toBeCloseTo(1)
+  })
+
   it('a message that tells of a later moment puts it right; one that came late does not put it back', () => {
     const clock = new RunClock()
     clock.take(run({ state: 'beginning' }), 50, 0)

@@ -60,16 +60,23 @@ class Hinge3d:
 def looked_at(plant: Plant) -> list[Shape3d]:
     """The shapes of a world that are there to be seen: of a body that has such, those that only touch are left out.
 
-    In models of others, shapes of groups 0 to 2 are seen, and those above only touch.
+    In models of others, shapes of groups 0 to 2 are seen, and those above only touch. Some tell both apart below that:
+    where a body has shapes that touch nothing, those that do and are of another group stand for its contact alone.
     """
     return _shapes(plant.model, looked_at_numbers(plant.model))
 
 
 def looked_at_numbers(model: Any) -> list[int]:
     """The numbers of these shapes."""
-    is_seen = np.ravel(model.geom_group) < _TOUCHING
-    has_seen = {int(body) for body in model.geom_bodyid[is_seen]}
-    return [k for k in range(model.ngeom) if is_seen[k] or int(model.geom_bodyid[k]) not in has_seen]
+    groups, bodies = np.ravel(model.geom_group).tolist(), np.ravel(model.geom_bodyid).tolist()
+    touches = np.ravel((model.geom_contype != 0) | (model.geom_conaffinity != 0)).tolist()
+    seen = [k for k in range(model.ngeom) if groups[k] < _TOUCHING]
+    plain: dict[int, set[int]] = {}
+    for k in (k for k in seen if not touches[k]):
+        plain.setdefault(bodies[k], set()).add(groups[k])
+    has_seen = {bodies[k] for k in seen}
+    is_looked_at = {k for k in seen if not touches[k] or groups[k] in plain.get(bodies[k], {groups[k]})}
+    return [k for k in range(model.ngeom) if k in is_looked_at or bodies[k] not in has_seen]
 
 
 def _shapes(model: Any, numbers: Sequence[int]) -> list[Shape3d]:

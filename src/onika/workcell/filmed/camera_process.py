@@ -30,9 +30,11 @@ from onika.workcell.filmed.camera_messages import (
     encode,
 )
 from onika.workcell.filmed.small_picture import small_picture
+from onika.workcell.scene import looked_at_numbers
 
 NICE = 10
 _LARGEST = 1 << 20  # bytes of an order
+_UNSEEN = 5  # a group of shapes that is not drawn
 _SHINING = (1.0, 0.95, 0.7, 1.0)
 _AMBIENT, _DIFFUSE = 0.5, 0.4  # of a lamp at the eye, without gloss: colours stay what they are
 
@@ -78,6 +80,8 @@ class RenderedWorld:
         """Compile the world with other robots at its places."""
         self.close()
         model = self._composition.compile(standing, {}, is_drawn=True)
+        unseen = sorted(set(range(model.ngeom)) - set(looked_at_numbers(model)))
+        model.geom_group[unseen] = _UNSEEN
         model.vis.quality.offsamples = 0
         model.vis.global_.offwidth = max(eye.width for eye in self._eyes)
         model.vis.global_.offheight = max(eye.height for eye in self._eyes)
