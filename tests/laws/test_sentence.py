@@ -19,7 +19,7 @@ def test_an_exception_gives_back_the_sentence_that_it_was_raised_with():
 def test_a_sentence_of_a_law_becomes_a_reason_without_that_either_knows_the_other():
     reason = reason_of(ValueError(joint_beyond(3, 4.4, "rad", -2.5, 3.926)))
     assert reason == Reason.of("laws.joint_beyond", joint=3, value=4.4, unit="rad", low=-2.5, high=3.926)
-    assert in_language(reason, "es") == "la articulación 3 quedaría a 4.400 rad, fuera de -2.500..3.926"
+    assert in_language(reason, "es") == "la articulación 3 quedaría a 4,400 rad, fuera de -2,500..3,926"
 
 
 def test_an_element_is_counted_from_0():

@@ -48,3 +48,16 @@ export function openDialog(name: DialogName, data: Record<string, string> = {}):
 export function closeDialog(): void {
   dialogs.current = { name: '', data: {} }
 }
+
+/**
+ * What closes the panel that is open now, for whoever waits for an answer: another that was opened meanwhile stays. It
+ * tells whether this one was still there.
+ */
+export function closingThisOne(): () => boolean {
+  const opened = dialogs.current
+  return () => {
+    const isOpen = dialogs.current === opened
+    if (isOpen) closeDialog()
+    return isOpen
+  }
+}

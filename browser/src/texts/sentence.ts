@@ -4,9 +4,10 @@ export type Scalar = string | number | boolean
 export type Value<T> = Scalar | T | readonly (Scalar | T)[]
 
 const CONNECTIVES: Record<string, Record<string, string>> = { en: { and: 'and', or: 'or' }, es: { and: 'y', or: 'o' } }
+const DECIMAL_SIGNS: Record<string, string> = { en: '.', es: ',' }
 const LISTS = ['', 'and', 'or', ';']
 const GAP = /\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}/g
-const NUMBER_FORMAT = /^(\+?)(?:\.(\d+))?([gf])$/
+const NUMBER_FORMAT = /^(\+?)(\d*)(?:\.(\d+))?([gf])$/
 
 /** The sentence with its gaps filled; `show` writes a value that is no text, number or list. Throws where one is missing. */
 export function fill<T>(
@@ -32,16 +33,17 @@ function filled<T>(value: Value<T>, rule: string, language: string, show: (value
   }
   if (isList(value)) {
     const items = value.map((item) => filled(item, LISTS.includes(kind) ? '' : rule, language, show))
-    return kind === ';' ? items.join('; ') : listed(items, CONNECTIVES[language]?.[kind] ?? '')
+    const hasCommas = value.some((item, at) => typeof item === 'number' && items[at]!.includes(','))
+    return listed(items, kind === ';' || hasCommas ? ';' : ',', CONNECTIVES[language]?.[kind] ?? '')
   }
-  if (LISTS.includes(kind)) return written(value, show)
-  if (kind === 'quoted') return quoted(written(value, show))
+  if (LISTS.includes(kind)) return written(value, language, show)
+  if (kind === 'quoted') return quoted(written(value, language, show))
   const format = NUMBER_FORMAT.exec(kind)
   if (!format || typeof value !== 'number')
     throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)
-  const [, sign, digits, letter] = format
+  const [, sign, width, digits, letter] = format
   const text = letter === 'f' ? value.toFixed(Number(digits ?? 6)) : general(value, Number(digits ?? 6))
-  return sign && value >= 0 ? `+${text}` : text
+  return withSign((sign && value >= 0 ? `+${text}` : text).padStart(Number(width)), language)
 }
 
 function isList<T>(value: Value<T>): value is readonly (Scalar | T)[] {
@@ -53,15 +55,19 @@ function parted(text: string, sign: string): [string, string] {
   return at < 0 ? [text, ''] : [text.slice(0, at), text.slice(at + 1)]
 }
 
-function listed(items: readonly string[], connective: string): string {
-  if (!connective || items.length < 2) return items.join(', ')
-  return `${items.slice(0, -1).join(', ')} ${connective} ${items.at(-1)}`
+function listed(items: readonly string[], sign: string, connective: string): string {
+  const between = `${sign} `
+  if (!connective || items.length < 2) return items.join(between)
+  return `${items.slice(0, -1).join(between)} ${connective} ${items.at(-1)}`
 }
 
-function written<T>(value: Scalar | T, show: (value: T) => string): string {
+/** A number as Python writes it, with the decimal sign of a language. */
+const withSign = (number: string, language: string): string => number.replace('.', DECIMAL_SIGNS[language] ?? '.')
+
+function written<T>(value: Scalar | T, language: string, show: (value: T) => string): string {
   if (typeof value === 'string') return value
   if (typeof value === 'boolean') return value ? 'True' : 'False'
-  if (typeof value === 'number') return shortest(value)
+  if (typeof value === 'number') return withSign(shortest(value), language)
   return show(value)
 }
 

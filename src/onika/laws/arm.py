@@ -191,9 +191,11 @@ def _principal(inertia: Array, joint: int) -> tuple[Array, Array]:
             LawSentence(
                 "laws.inertia_impossible",
                 "expected moments of inertia of link {joint} of which none is larger than the other two together, "
-                "found {moments}",
+                "found {least:.4g} {middle:.4g} {most:.4g}",
                 joint=joint,
-                moments=" ".join(f"{moment:.4g}" for moment in moments),
+                least=least,
+                middle=middle,
+                most=most,
             )
         )
     possible = moments + max(lack, 0.0)

@@ -132,19 +132,40 @@ def _why_beyond(constants: Constants, values: Sequence[Any], is_slide: Sequence[
         return LawSentence("laws.joint_values", "expected {n} joint values, found {count}", n=int(n), count=len(values))
     for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
         if not low <= q <= high:
-            unit, digits = ("m", 3) if is_slide[k - 1] else ("rad", 2)
-            limit = low if q < low else high
-            while digits < _DIGITS and f"{q:.{digits}f}" == f"{limit:.{digits}f}":
-                digits += 1  # a little beyond is beyond, and nobody would believe equal numbers
-            return LawSentence(
-                "laws.joint_value_beyond",
-                "joint {joint} at {value} {unit} is beyond {limit}",
-                joint=k,
-                value=f"{q:.{digits}f}",
-                unit=unit,
-                limit=f"{limit:.{digits}f}",
-            )
+            return _beyond(k, float(q), float(low if q < low else high), slides=is_slide[k - 1])
     return None
+
+
+def _beyond(joint: int, value: float, limit: float, *, slides: bool) -> LawSentence:
+    """In as many digits as tell both apart: a little beyond is beyond, and nobody would believe equal numbers."""
+    unit, usual = ("m", 3) if slides else ("rad", 2)
+    told_apart = (digits for digits in range(usual, _DIGITS) if round(value, digits) != round(limit, digits))
+    digits = next(told_apart, _DIGITS)
+    value, limit = round(value, digits), round(limit, digits)
+    if digits > usual:
+        return LawSentence(
+            "laws.joint_hair_beyond",
+            "joint {joint} at {value} {unit} is beyond {limit}",
+            joint=joint,
+            value=value,
+            unit=unit,
+            limit=limit,
+        )
+    if slides:
+        return LawSentence(
+            "laws.joint_slide_beyond",
+            "joint {joint} at {value:.3f} m is beyond {limit:.3f}",
+            joint=joint,
+            value=value,
+            limit=limit,
+        )
+    return LawSentence(
+        "laws.joint_value_beyond",
+        "joint {joint} at {value:.2f} rad is beyond {limit:.2f}",
+        joint=joint,
+        value=value,
+        limit=limit,
+    )
 
 
 def _why_no_pose(constants: Constants, inverse: Inverse, values: Sequence[Any]) -> str | None:

@@ -68,21 +68,25 @@ def unlike(name: str, constants: Mapping[str, Any], local_values: Mapping[str, A
         )
     if np.allclose(np.ravel(local_values["BASE"]), np.ravel(constants["BASE"]), atol=1e-6):
         return None
-    place, turned = _place(constants["BASE"])
-    found_place, found_turned = _place(local_values["BASE"])
+    x, y, z, turned = _place(constants["BASE"])
+    found_x, found_y, found_z, found_turned = _place(local_values["BASE"])
     return LawSentence(
         "laws.robot_elsewhere",
-        "expected frame 0 of the robot at {place} m, turned by {turned:.4g} degrees, "
-        "found it at {found_place} m, turned by {found_turned:.4g} degrees",
-        place=place,
+        "expected frame 0 of the robot at {x:.4g} {y:.4g} {z:.4g} m, turned by {turned:.4g} degrees, "
+        "found it at {found_x:.4g} {found_y:.4g} {found_z:.4g} m, turned by {found_turned:.4g} degrees",
+        x=x,
+        y=y,
+        z=z,
         turned=turned,
-        found_place=found_place,
+        found_x=found_x,
+        found_y=found_y,
+        found_z=found_z,
         found_turned=found_turned,
     )
 
 
-def _place(base: Any) -> tuple[str, float]:
-    """Place of frame 0 in metres as text, and its turn about z in degrees."""
+def _place(base: Any) -> tuple[float, float, float, float]:
+    """Place of frame 0 in metres, and its turn about z in degrees."""
     frame = np.reshape(base, (4, 4))
-    turned = math.degrees(math.atan2(frame[1, 0], frame[0, 0]))
-    return " ".join(f"{value + 0.0:.4g}" for value in frame[:3, 3]), turned + 0.0
+    x, y, z = (float(value) + 0.0 for value in frame[:3, 3])
+    return x, y, z, math.degrees(math.atan2(frame[1, 0], frame[0, 0])) + 0.0

@@ -1,6 +1,6 @@
 """A parameter of a LOCAL block: its words against what the class of the module declares of it."""
 
-from math import inf
+from math import inf, isfinite
 from typing import Any
 
 from onika.wire.sheet import LocalSheet
@@ -33,9 +33,14 @@ def check(local: LocalSheet, words: tuple[str, ...]) -> Any:
     low, high = -inf if local.low is None else local.low, inf if local.high is None else local.high
     for number in value if isinstance(value, list) else [value]:
         if not isinstance(number, str) and not low <= number <= high:
-            figures = {"low": f"{low:g}", "high": f"{high:g}", "number": f"{number:.12g}"}
+            figures = {"low": _bound(low), "high": _bound(high), "number": float(f"{number:.12g}")}
             raise ValueError(Reason.of("runtime.local_outside", name=local.name, unit=local.unit, **figures))
     return value
+
+
+def _bound(bound: float) -> float | str:
+    """A bound as it is said; where there is none, as Python writes it, which no message carries as a number."""
+    return float(f"{bound:g}") if isfinite(bound) else str(bound)
 
 
 def default_words(local: LocalSheet) -> tuple[str, ...]:

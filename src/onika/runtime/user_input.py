@@ -117,9 +117,11 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
     low = -np.inf if item.low is None else item.low[index]
     high = np.inf if item.high is None else item.high[index]
     if not low <= value <= high:
-        text = f"{value:g}" if f"{value:g}" not in (f"{low:g}", f"{high:g}") else repr(value)
+        shown = float(value if f"{value:g}" in (f"{low:g}", f"{high:g}") else f"{value:g}")
         raise ValueError(
-            Reason.of("runtime.input_outside", where=where, low=float(low), high=float(high), unit=item.unit, text=text)
+            Reason.of(
+                "runtime.input_outside", where=where, low=float(low), high=float(high), unit=item.unit, value=shown
+            )
         )
 
 

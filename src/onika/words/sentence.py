@@ -3,11 +3,14 @@
 A gap is `{name}`, or `{name:rule}` with one of these rules; `{{` and `}}` are braces.
 
 - none: a text as it is, a number as Python writes it but 5.0 as 5, several values with commas between them
-- `.3g`, `+.2f` …: a number in Python's format of that name, of the kinds `g` and `f`
+- `.3g`, `+.2f`, `9.3f` …: a number in Python's format of that name, of the kinds `g` and `f`
 - `quoted`: a text in quotes, as Python writes it
 - `and`, `or`: several values, the last two joined by that word of the language
 - `;`: several values with semicolons between them
 - `plural:action|actions`: the first word for one (a number, or a list of one), the second for any other number
+
+A number has the decimal sign of the language. Where that is a comma, semicolons stand between several numbers with one.
+What a person is to type or finds in a file comes as a text, which stays as it is.
 """
 
 import re
@@ -18,9 +21,10 @@ LANGUAGES = ("en", "es")
 """The languages of the catalogues; the first is the one in which every sentence exists."""
 
 _CONNECTIVES = {"en": {"and": "and", "or": "or"}, "es": {"and": "y", "or": "o"}}
+_DECIMAL_SIGNS = {"en": ".", "es": ","}
 _LISTS = ("", "and", "or", ";")
 _GAP = re.compile(r"\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}")
-_NUMBER_FORMAT = re.compile(r"\+?(\.\d+)?[gf]\Z")
+_NUMBER_FORMAT = re.compile(r"\+?\d*(\.\d+)?[gf]\Z")
 
 _TEXTS = {str}
 
@@ -85,31 +89,41 @@ def _filled(value: object, rule: str, language: str, show: Show) -> str:
     if isinstance(value, tuple | list):
         each = "" if kind in _LISTS else rule
         items = [_filled(item, each, language, show) for item in value]
-        if kind == ";":
-            return "; ".join(items)
-        return _listed(items, _CONNECTIVES[language].get(kind, ""))
+        has_commas = any("," in text and _is_number(item) for item, text in zip(value, items, strict=True))
+        sign = ";" if kind == ";" or has_commas else ","
+        return _listed(items, sign, _CONNECTIVES[language].get(kind, ""))
 
     if kind in _LISTS:
-        return _written(value, show)
+        return _written(value, language, show)
     if kind == "quoted":
-        return repr(value if isinstance(value, str) else _written(value, show))
+        return repr(value if isinstance(value, str) else _written(value, language, show))
     if not _NUMBER_FORMAT.match(kind) or not isinstance(value, int | float):
         raise ValueError(f"expected a rule of a gap that suits {value!r}, found {rule!r}")
-    return format(value, kind)
+    return _with_sign(format(value, kind), language)
 
 
-def _written(value: object, show: Show) -> str:
+def _written(value: object, language: str, show: Show) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, float):
         is_whole = value.is_integer() and abs(value) < 1e16
-        return str(int(value)) if is_whole else repr(float(value))
+        return str(int(value)) if is_whole else _with_sign(repr(float(value)), language)
     if isinstance(value, int):
         return str(value)
     return show(value)
 
 
-def _listed(items: Sequence[str], connective: str) -> str:
+def _with_sign(number: str, language: str) -> str:
+    """A number as Python writes it, with the decimal sign of a language."""
+    return number.replace(".", _DECIMAL_SIGNS[language])
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float)
+
+
+def _listed(items: Sequence[str], sign: str, connective: str) -> str:
+    between = f"{sign} "
     if not connective or len(items) < 2:
-        return ", ".join(items)
-    return f"{', '.join(items[:-1])} {connective} {items[-1]}"
+        return between.join(items)
+    return f"{between.join(items[:-1])} {connective} {items[-1]}"

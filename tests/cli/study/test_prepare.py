@@ -34,6 +34,14 @@ def test_a_session_is_held_to_the_dictionaries_that_its_task_is_about(tmp_path, 
     assert not (tmp_path / "folk" / "sessions" / "s2").exists()
 
 
+@pytest.mark.parametrize("variant", ["pictures", "words"])
+def test_who_shall_see_all_icons_at_once_is_told_so_but_not_of_words_which_have_no_room(tmp_path, capsys, variant):
+    main(["study", "new", str(tmp_path / "folk")])  # R-H05, R-H09
+    assert main([*PREPARED, str(tmp_path / "folk"), "s1", "--variant", variant]) == 0
+    said = capsys.readouterr().out
+    assert ("can be seen" in said, "scrolled" in said) == (variant == "pictures", variant == "words")
+
+
 def test_a_session_is_begun_and_ended_in_one_go(tmp_path, capfd, monkeypatch):  # R-H09
     study = tmp_path / "folk"
     main(["study", "new", str(study)])

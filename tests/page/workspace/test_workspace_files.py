@@ -104,6 +104,33 @@ def test_an_application_becomes_an_icon_or_it_is_said_why_not(me):  # R-D09
     expect(me.page.get_by_text(re.compile("has no file yet")).first).to_be_visible()
 
 
+def test_the_panel_of_the_icon_that_is_asked_for_while_the_file_is_saved_stays(program, new_page):  # R-D09
+    page, held, is_held = new_page(), [], []
+
+    def through(ours):
+        server = ours.connect_to_server()
+        server.on_message(lambda message: held.append(message) if is_held else ours.send(message))
+        page.answers = lambda: [ours.send(held.pop(0)) for _ in range(len(held))]
+
+    page.route_web_socket(re.compile("/ws"), through)
+    builder = Builder(program.enter(page))
+    page.get_by_role("button", name="Applications", exact=True).click()
+    expect(builder.icon("opengripC")).to_be_attached()
+    builder.blank()
+    builder.insert("opengripC")
+    page.locator("body").press("Control+s")
+    saving = page.get_by_role("dialog")
+    saving.get_by_role("textbox").first.fill("quick")
+    is_held.append(True)
+    saving.get_by_role("button", name="Save", exact=True).click()
+    page.get_by_role("button", name="As icon…").click()
+    panel = page.get_by_role("dialog", name=re.compile("as an icon"))
+    expect(panel).to_contain_text("Asking what icon this would make")
+    is_held.clear()
+    page.answers()
+    expect(panel).to_contain_text("Complete application")
+
+
 def test_with_holes_of_one_type_it_takes_such_a_target(empty, folder):  # R-D09
     empty.blank()
     empty.insert("jmoveC")

@@ -67,12 +67,12 @@ def carry_out(given: argparse.Namespace) -> int:
     words = (*page_words(session, given.window or PageWindow.read(_WINDOW)), *shown, *page_of_workcell(given))
     if given.open:
         print(say(Reason.of("cli.study_opened", subject=session.subject, variant=session.variant)), flush=True)
-        _print_steps()
+        _print_steps(session)
         return _carried_through(given.study, session, (*words, "--ends-with-window"))
     print(say(Reason.of("cli.study_ready", subject=session.subject, variant=session.variant)))
     unset = [word for name in _KEPT for word in ("-u", name)]
     print(f"  {shlex.join(['env', *unset, f'HOME={session.home}', 'onika', *words])}")
-    _print_steps()
+    _print_steps(session)
     ending = shlex.join(["onika", "study", "end", str(given.study), session.subject])
     print(say(Reason.of("cli.study_step_end", command=ending)))
     return 0
@@ -86,8 +86,9 @@ def page_words(session: Session, window: PageWindow) -> tuple[str, ...]:
     )  # fmt: skip
 
 
-def _print_steps() -> None:
-    print(say(Reason.of("cli.study_step_windows")))
+def _print_steps(session: Session) -> None:
+    is_words = session.variant == "words"
+    print(say(Reason.of("cli.study_step_windows_words" if is_words else "cli.study_step_windows")))
     print(say(Reason.of("cli.study_step_cell")))
 
 

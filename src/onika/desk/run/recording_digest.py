@@ -52,11 +52,11 @@ def _flows(review: Review) -> Iterator[Reason]:
         for interval in flow.intervals:
             end = Reason.of("desk.digest_not_ended")
             if interval.end_s is not None:
-                end = Reason.plain(f"{interval.end_s:9.3f} s")
+                end = Reason.of("desk.digest_until", end_s=interval.end_s)
             is_left = interval.end_s is not None and not interval.is_done
             yield Reason.of(
                 "desk.digest_interval_left" if is_left else "desk.digest_interval",
-                begin=f"{interval.begin_s:9.3f}",
+                begin=interval.begin_s,
                 end=end,
                 number=interval.action + 1,
                 count=count,
@@ -66,7 +66,7 @@ def _flows(review: Review) -> Iterator[Reason]:
 
 def _troubles(review: Review) -> Iterator[Reason]:
     for at, subsystem, message in review.events:
-        at_s = f"{at * 1e-9:9.3f}"
+        at_s = at * 1e-9
         if isinstance(message, event.Failed):
             task = f"{subsystem}/{message.task}"
             yield Reason.of("desk.digest_failed", at=at_s, task=task, text=message.text)

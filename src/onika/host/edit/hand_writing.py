@@ -60,7 +60,7 @@ def _wrong(values: tuple[float, ...], shape: Shape) -> Reason:
         if not isfinite(value):
             return Reason.of("host.hand_infinite")
         if not shape.type.fits(_whole(value)) or abs(value) > _largest(shape.type):
-            return Reason.of("host.hand_kind", kind=shape.type.value, value=f"{value:g}")
+            return Reason.of("host.hand_kind", kind=shape.type.value, value=value)
     return NOTHING
 
 

@@ -4,6 +4,7 @@ from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.icons import repetition
 from onika.desk.environment.initial_model import opened
 from onika.model.application import Icon
+from onika.store.shipped import shipped
 from onika.store.site import open_site
 from onika.wire import act
 
@@ -11,8 +12,8 @@ from onika.wire import act
 class Beginner(EnvironmentFixture):
     """Somebody with what is shipped, and an application of a few actions."""
 
-    def __init__(self, folder):
-        model, _ = opened(open_site([], {}, folder), None, {})
+    def __init__(self, folder, dictionaries=()):
+        model, _ = opened(open_site([], {}, folder), None, {}, dictionaries)
         super().__init__(folder, (), model)
 
     def begun(self, *icons):
@@ -81,6 +82,16 @@ def test_without_a_no_op_an_action_is_no_end_of_two_loops(me, monkeypatch):  # R
     monkeypatch.setattr(repetition, "_noop", lambda _model: None)
     no = me.no(act.RepeatSteps(me.doc, (only,), 3))
     assert "end of the loop A already" in str(no.reason) and no.remedies
+
+
+def test_where_no_open_dictionary_has_a_job_that_counts_the_one_that_has_is_offered(tmp_path):  # R-D13, R-X01
+    me = Beginner(tmp_path, [shipped() / "boxes", shipped() / "puma"])
+    (only,) = me.begun("opengripC")
+    no = me.no(act.RepeatSteps(me.doc, (only,), 3))
+    assert [str(remedy.label) for remedy in no.remedies] == ["Open the dictionary generic"]
+    me.do(no.remedies[0].act)
+    me.do(act.RepeatSteps(me.doc, (only,), 3))
+    assert me.words == ["opengripC A", "repeatC A!", "three"]
 
 
 @pytest.mark.parametrize("times", [-1, 0, 1, 1_000_001])

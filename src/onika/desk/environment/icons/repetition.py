@@ -1,6 +1,6 @@
 """Steps that are repeated so many times: a job that counts behind them, its number, and the loop, as one step (D13)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from onika.desk.environment.icons.action_of_step import StepAction, action_of, exchanged
@@ -21,6 +21,7 @@ from onika.model.initials import drawn
 from onika.model.onikon import Onikon
 from onika.model.rules import jigsaw
 from onika.model.syntax import IconType
+from onika.store.base_directory import BaseDirectory
 from onika.wire import act
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
@@ -36,9 +37,9 @@ def repeat_steps(model: Model, opened: OpenApplication, command: act.RepeatSteps
     if not _FEWEST <= command.times <= _MOST:
         unfit = Reason.of("desk.times_unfit", least=_FEWEST, most=_MOST, times=command.times)
         return No(unfit, fields={"times": unfit})
-    counter = next(_counters(model), None)
+    counter = next(_counters(model, onikons(model)), None)
     if counter is None:
-        return No(Reason.of("desk.no_counter"))
+        return No(Reason.of("desk.no_counter"), tuple(_helping_dictionaries(model)))
     ends = _ends(model, opened, command)
     if isinstance(ends, No):
         return ends
@@ -95,11 +96,21 @@ def _noop(model: Model) -> Onikon | None:
     return next((onikon for onikon, kind in kinds if kind is not None and kind.is_noop), None)
 
 
-def _counters(model: Model) -> Iterator[tuple[Onikon, IconType]]:
-    """The jobs of the open dictionaries that only count how often a loop is done, with the type of the number."""
+def _helping_dictionaries(model: Model) -> Iterator[Remedy]:
+    """To open one of the search path that has a job that counts."""
+    opened, syntax = {dictionary.base.path for dictionary in model.dictionaries}, syntax_of(model)
+    for base in (BaseDirectory(path) for path in model.search if path not in opened):
+        icons = (base.onikon(name, syntax)[0] for name in base.onikons)
+        if next(_counters(model, filter(None, icons)), None) is not None:
+            label = Reason.of("desk.open_dictionary_named", name=base.path.name)
+            yield Remedy(label, act.OpenDictionary(str(base.path)))
+
+
+def _counters(model: Model, icons: Iterable[Onikon]) -> Iterator[tuple[Onikon, IconType]]:
+    """The jobs among icons that only count how often a loop is done, with the type of the number."""
     configurations = {source.name: source for source in model.sources.values() if isinstance(source, Configuration)}
     syntax = syntax_of(model)
-    for onikon in onikons(model):
+    for onikon in icons:
         configuration = configurations.get(onikon.name)
         kind = syntax.find(syntax.target_type_of(onikon.type) or "")
         takes_number = kind is not None and [(item.type.is_whole, item.count) for item in kind.items] == [(True, 1)]
