@@ -88,10 +88,7 @@ def _filled(value: object, rule: str, language: str, show: Show) -> str:
 
     if isinstance(value, tuple | list):
         each = "" if kind in _LISTS else rule
-        items = [_filled(item, each, language, show) for item in value]
-        has_commas = any("," in text and _is_number(item) for item, text in zip(value, items, strict=True))
-        sign = ";" if kind == ";" or has_commas else ","
-        return _listed(items, sign, _CONNECTIVES[language].get(kind, ""))
+        return _listed(value, [_filled(item, each, language, show) for item in value], kind, language)
 
     if kind in _LISTS:
         return _written(value, language, show)
@@ -118,12 +115,11 @@ def _with_sign(number: str, language: str) -> str:
     return number.replace(".", _DECIMAL_SIGNS[language])
 
 
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float)
-
-
-def _listed(items: Sequence[str], sign: str, connective: str) -> str:
-    between = f"{sign} "
+def _listed(values: Sequence[object], items: Sequence[str], kind: str, language: str) -> str:
+    """Several values, written as `items`; semicolons part numbers that have commas themselves."""
+    has_commas = any("," in item and isinstance(value, int | float) for value, item in zip(values, items, strict=True))
+    between = "; " if kind == ";" or has_commas else ", "
+    connective = _CONNECTIVES[language].get(kind, "")
     if not connective or len(items) < 2:
         return between.join(items)
     return f"{between.join(items[:-1])} {connective} {items[-1]}"
