@@ -32,6 +32,12 @@ def test_a_robot_of_other_joints_gives_as_many_as_it_has():  # R-C30, R-D13
     assert values_for(JOINTS, VariableValue("Q", "double[4]", [0.1] * 4)) == (0.1,) * 4
 
 
+def test_the_angles_of_six_joints_are_no_polynomial_of_one():  # R-C30, R-D13
+    coefficients = DataItem("coefficients", ValueType.DOUBLE, 36, "NDOF", each=6)
+    assert why(coefficients, "double[6]", [0.1] * 6) == "rules.fit_count"
+    assert values_for(coefficients, VariableValue("C", "double[30]", [0.1] * 30)) == (0.1,) * 30
+
+
 def test_a_number_gives_the_datum_of_one_number_only():  # R-C30
     assert fits_in(JOINT, VariableValue("T", "double", 2.5, "s"), UNITS) == (
         TargetFit("Joint object", "duration", (2.5,)),

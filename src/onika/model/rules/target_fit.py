@@ -97,8 +97,11 @@ def _is_of_kind(wanted: ValueType, given: ValueType) -> bool:
 
 
 def _takes(item: DataItem, shape: Shape) -> bool:
-    """Whether there are as many as there can be; a single number is no vector, whatever its length."""
-    if len(shape.dims) > 1 or (item.dimension and not shape.dims):
+    """Whether there are as many as there can be; a single number is no vector, whatever its length.
+
+    Where several belong to each joint, so few as belong to one are taken for one number of each joint.
+    """
+    if len(shape.dims) > 1 or (item.dimension and not shape.dims) or 1 < item.each == shape.count:
         return False
     return item.takes(shape.count)
 
