@@ -1,5 +1,6 @@
-from dataclasses import is_dataclass
 from typing import get_args
+
+from msgspec import Struct
 
 from onika.engine import news
 from onika.wire.steer import Steering
@@ -7,8 +8,8 @@ from onika.wire.steer import Steering
 
 def test_every_news_is_a_frozen_value_that_says_what_it_tells():
     for each in set(get_args(news.News)) - set(get_args(Steering)):
-        assert is_dataclass(each)
-        assert each.__dataclass_params__.frozen
+        assert issubclass(each, Struct)
+        assert each.__struct_config__.frozen
         assert each.__doc__
         assert not each.__doc__.startswith(each.__name__ + "(")
 

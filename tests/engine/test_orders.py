@@ -1,13 +1,14 @@
-from dataclasses import is_dataclass
 from typing import get_args
+
+from msgspec import Struct
 
 from onika.engine import orders
 
 
 def test_every_order_is_a_frozen_value_that_says_what_it_is_for():
     for order in get_args(orders.Order):
-        assert is_dataclass(order)
-        assert order.__dataclass_params__.frozen
+        assert issubclass(order, Struct)
+        assert order.__struct_config__.frozen
         assert order.__doc__
         assert not order.__doc__.startswith(order.__name__ + "(")
 

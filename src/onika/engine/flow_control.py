@@ -1,7 +1,8 @@
 """Flow control: decides what the user may do with a flow, and does it (requirements E07, E13, §5.9.2)."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from onika.engine.flow import FlowState
 from onika.engine.flow_router import FlowRouter

@@ -3,27 +3,24 @@
 What users want of a flow comes as they sent it (`wire.steer`); it names the flow by its subsystem.
 """
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from onika.wire.steer import Steering
 from onika.words.reason import Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Run:
+class Run(Struct, frozen=True):
     """Begin: every flow at its first action."""
 
 
-@dataclass(frozen=True, slots=True)
-class Spawned:
+class Spawned(Struct, frozen=True):
     """A task is initialised and OFF."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Refused:
+class Refused(Struct, frozen=True):
     """A spawn or an `on` did not happen, for this reason."""
 
     flow: int
@@ -31,16 +28,14 @@ class Refused:
     reason: Reason
 
 
-@dataclass(frozen=True, slots=True)
-class TurnedOn:
+class TurnedOn(Struct, frozen=True):
     """A task is ON; said for every activation, before the task says anything else in it but that it asks or fails."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Finished:
+class Finished(Struct, frozen=True):
     """A trigger has ended its job: GO_TO_FLOW(choice), WHILECONTINUE if `loop`.
 
     `switched` is the number of the prepared case that was carried out with it; 0: none, the next switch is awaited.
@@ -53,16 +48,14 @@ class Finished:
     switched: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class SwitchedOff:
+class SwitchedOff(Struct, frozen=True):
     """A task has switched itself off (signal OFF); a passive one may."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Failed:
+class Failed(Struct, frozen=True):
     """A task is in ERROR."""
 
     flow: int
@@ -70,8 +63,7 @@ class Failed:
     text: Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Asked:
+class Asked(Struct, frozen=True):
     """A task needs input and waits for an answer; it is ASKING."""
 
     flow: int
@@ -79,8 +71,7 @@ class Asked:
     reason: Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Illegal:
+class Illegal(Struct, frozen=True):
     """A task says that the robot is in a state in which it may not go on (signals ILLEGAL and SHUTDOWN)."""
 
     flow: int
@@ -88,29 +79,25 @@ class Illegal:
     text: Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Killed:
+class Killed(Struct, frozen=True):
     """A task is gone."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Cleared:
+class Cleared(Struct, frozen=True):
     """A task that was in ERROR is OFF."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Settled:
+class Settled(Struct, frozen=True):
     """What had to be read after the last finish has been read; the tasks may go."""
 
 
-@dataclass(frozen=True, slots=True)
-class Agreed:
+class Agreed(Struct, frozen=True):
     """The flows that were convened at a tag begin now, with those of other runtimes.
 
     `switched` is the number of the switches that were carried out with it; 0: none, they are awaited.
@@ -120,15 +107,13 @@ class Agreed:
     switched: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Closed:
+class Closed(Struct, frozen=True):
     """All flows of other runtimes that meet at the tag have begun, too."""
 
     tag: str
 
 
-@dataclass(frozen=True, slots=True)
-class BegunAlone:
+class BegunAlone(Struct, frozen=True):
     """What began at a tag is held, for the flows of other runtimes were not heard to have begun.
 
     `drives`: it may have moved something, so a user decides what follows; else all meet again at once.
@@ -139,8 +124,7 @@ class BegunAlone:
     drives: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Abort:
+class Abort(Struct, frozen=True):
     """End the application now; the cause is said to the user."""
 
     cause: Reason

@@ -1,20 +1,18 @@
 """The orders that the engine gives: to the runner beside the robot, and notes for the people who watch."""
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from onika.words.reason import NOTHING, Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Spawn:
+class Spawn(Struct, frozen=True):
     """Bring a task of a flow to life, OFF. The runner spawns in the order of constants and reports each one."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Launch:
+class Launch(Struct, frozen=True):
     """One task to turn ON, with its argument line (empty for all but a trigger with a target) and its rate."""
 
     task: str
@@ -22,8 +20,7 @@ class Launch:
     frequency: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Switch:
+class Switch(Struct, frozen=True):
     """One reconfiguration: `off` goes off, `on` comes on in this order, at one instant; what stays is not touched.
 
     `kept_rates` are tasks that stay ON and change their frequency at this switch (reading 13). `number` is that of the
@@ -37,8 +34,7 @@ class Switch:
     number: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Case:
+class Case(Struct, frozen=True):
     """What follows when the trigger ends the current action with this value; none: any. It may be prepared."""
 
     task: str
@@ -47,40 +43,35 @@ class Case:
     switch: Switch
 
 
-@dataclass(frozen=True, slots=True)
-class Off:
+class Off(Struct, frozen=True):
     """Turn one task off, outside a switch (a trigger that has finished is off already)."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Kill:
+class Kill(Struct, frozen=True):
     """End a task."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Clear:
+class Clear(Struct, frozen=True):
     """Bring a task out of ERROR; its news is Cleared, Failed or Refused."""
 
     flow: int
     task: str
 
 
-@dataclass(frozen=True, slots=True)
-class Together:
+class Together(Struct, frozen=True):
     """The switches that follow, one of each of these flows, are one: their first cycles begin at the same instant."""
 
     tag: str
     flows: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Convene:
+class Convene(Struct, frozen=True):
     """All flows of this runtime that meet at a tag with those of others are there, and wait; News: Agreed.
 
     `switches` are those with which all of them go on, where that is clear already. `anew`: they have begun alone there,
@@ -93,16 +84,14 @@ class Convene:
     anew: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Disperse:
+class Disperse(Struct, frozen=True):
     """They do not wait there any more. `was_there`: they count as having been there, for users let them pass."""
 
     tag: str
     was_there: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Moved:
+class Moved(Struct, frozen=True):
     """For the watcher: a flow has come into this state; where it waits, the tag and whom it waits for."""
 
     flow: int
@@ -113,37 +102,32 @@ class Moved:
     text: Reason = NOTHING
 
 
-@dataclass(frozen=True, slots=True)
-class Began:
+class Began(Struct, frozen=True):
     """For the watcher: an action begins; index from 0."""
 
     flow: int
     index: int
 
 
-@dataclass(frozen=True, slots=True)
-class Done:
+class Done(Struct, frozen=True):
     """For the watcher: an action has finished."""
 
     flow: int
     index: int
 
 
-@dataclass(frozen=True, slots=True)
-class RunNote:
+class RunNote(Struct, frozen=True):
     """For the watcher: something worth knowing that changes nothing."""
 
     flow: int
     text: Reason
 
 
-@dataclass(frozen=True, slots=True)
-class Settle:
+class Settle(Struct, frozen=True):
     """All actions are done: let things settle, read what was asked for, then say Settled."""
 
 
-@dataclass(frozen=True, slots=True)
-class End:
+class End(Struct, frozen=True):
     """The application is over and every task is gone."""
 
     completed: bool

@@ -1,15 +1,15 @@
 """A step of a flow ready for switching: its tasks in the order of their ranks, their rates, its triggers."""
 
 from collections.abc import Mapping, Set
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from onika.engine.orders import Launch
 from onika.wire.plan import PlannedAction, PlannedFlow
 from onika.words.reason import Reason
 
 
-@dataclass(frozen=True, slots=True)
-class ActionStep:
+class ActionStep(Struct, frozen=True):
     """What a flow switches to."""
 
     name: str

@@ -5,7 +5,8 @@ Join, Rest or Halt; or the one behind a no-op after which the flow is to rest.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from onika.engine.program import FlowProgram
 from onika.wire.plan import Again, Choose, Do, Jump, Rest, Unless
@@ -15,8 +16,7 @@ Judge = Callable[[str], bool]
 """Whether a condition on variables holds now."""
 
 
-@dataclass(frozen=True, slots=True)
-class FinishValue:
+class FinishValue(Struct, frozen=True):
     """What the last action returned."""
 
     choice: int = 0
@@ -27,8 +27,7 @@ NOOP = FinishValue(0, loop=True)
 """What a no-op returns (requirement D11)."""
 
 
-@dataclass(frozen=True, slots=True)
-class WalkResult:
+class WalkResult(Struct, frozen=True):
     """Where a walk leads."""
 
     pc: int

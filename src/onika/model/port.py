@@ -1,7 +1,8 @@
 """A port of a module: one state variable it reads or writes, and how (dissertation §4.2.2)."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from msgspec import Struct
 
 from onika.words.shape import Shape
 
@@ -32,8 +33,7 @@ class PortKind(Enum):
         return not self.value.endswith("CONST")
 
 
-@dataclass(frozen=True, slots=True)
-class Port:
+class Port(Struct, frozen=True):
     """A port as its module's class declares it; `name` is the coded name, before aliases."""
 
     kind: PortKind

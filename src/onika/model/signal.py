@@ -1,7 +1,8 @@
 """Signals: one-way words from a running task, and how their numbers are made (dissertation §C.1, §C.3, Table 9)."""
 
-from dataclasses import dataclass
 from enum import Enum
+
+from msgspec import Struct
 
 from onika.words.module_sentence import Sentence, of_sentence
 from onika.words.reason import NOTHING, Reason
@@ -23,8 +24,7 @@ class SignalKind(Enum):
     USER = "USER"
 
 
-@dataclass(frozen=True, slots=True)
-class Signal:
+class Signal(Struct, frozen=True):
     """A signal; a FINISH carries the flow to go to and whether loops continue, a USER signal its number."""
 
     kind: SignalKind

@@ -1,10 +1,10 @@
 """The state-variable table of a subsystem: named entries of fixed type and shape in shared memory (laws 4, 7)."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
@@ -17,8 +17,7 @@ SIZE = 1 << 26
 """Bytes reserved for a table; untouched ones cost nothing."""
 
 
-@dataclass(frozen=True, slots=True)
-class TableEntry:
+class TableEntry(Struct, frozen=True):
     """Where a variable lies in its table, and its resolved shape."""
 
     name: str

@@ -3,7 +3,8 @@
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from onika.words.name import SVAR_NAME
 from onika.words.reason import Reason
@@ -12,8 +13,7 @@ from onika.words.value import ValueType
 _FORM = re.compile(r"([a-z]+)(?:\[([^\[\]]*)\])?\Z")
 
 
-@dataclass(frozen=True, slots=True)
-class Shape:
+class Shape(Struct, frozen=True):
     """A value type and its dimensions, each a whole number or the name of an INCONST; no dimension is a scalar."""
 
     type: ValueType

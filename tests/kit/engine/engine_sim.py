@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from msgspec import structs
+
 from kit.engine.engine_memory import EngineMemory, Memory
 from onika.engine import news as told
 from onika.engine.engine import Engine
@@ -280,7 +282,7 @@ class EngineSim:
         self._started = {(flow, start.task) for start in order.on}
         if order.number:
             done = self._ready.pop(flow, None)
-            self._demand(done == replace(order, number=0), f"{order}, but {done} was carried out")
+            self._demand(done == structs.replace(order, number=0), f"{order}, but {done} was carried out")
             return
         if self._announced:
             self._demand(flow in self._announced, f"{order} after Together of {self._announced}")

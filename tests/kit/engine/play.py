@@ -7,8 +7,9 @@ Every order must be told, in its order, before the next news; `assert` demands t
 
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import fields
 from typing import Self, TypeVar
+
+from msgspec.structs import fields
 
 from onika.engine.engine import Engine
 from onika.engine.news import News

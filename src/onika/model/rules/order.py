@@ -2,8 +2,9 @@
 
 import heapq
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol, Self
+
+from msgspec import Struct
 
 from onika.words.name import resolve
 
@@ -36,8 +37,7 @@ class PortLists(Protocol):
         """Written after every cycle."""
 
 
-@dataclass(frozen=True, slots=True)
-class Ports:
+class Ports(Struct, frozen=True):
     """The state variables of a task, aliases resolved; an INBOTH stands in two lists, so does an OUTBOTH."""
 
     name: str

@@ -1,13 +1,13 @@
 """What has to happen to get from the tasks there are to the tasks that are wanted (§5.3.4, Fig. 17)."""
 
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from onika.model.rules.order import Ports, constant_order
 
 
-@dataclass(frozen=True, slots=True)
-class TaskSwitch:
+class TaskSwitch(Struct, frozen=True):
     """A switch: T1 - T2 goes off, T1 ∩ T2 is not touched, T2 - T1 comes on."""
 
     off: tuple[str, ...]
@@ -15,8 +15,7 @@ class TaskSwitch:
     on: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class PlacedTask:
+class PlacedTask(Struct, frozen=True):
     """A task as reconfiguration sees it: its variables, its module and the device it claims."""
 
     ports: Ports
@@ -38,8 +37,7 @@ class PlacedTask:
         return self.name == other.name or self.module == other.module or same_device or bool(broken)
 
 
-@dataclass(frozen=True, slots=True)
-class TaskExchange:
+class TaskExchange(Struct, frozen=True):
     """A change of the tasks that live: who stays untouched, who dies, who is born, who learns new constants."""
 
     keep: tuple[str, ...]
