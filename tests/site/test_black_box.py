@@ -101,7 +101,7 @@ class HandHeld:
         on = (live.Turn("counter"),)
         runtime.ask(live.Change("jog", spawn=(shop.planned("counter"),), code=(shop.code("counter"),), on=on))
         self.until(lambda message: isinstance(message, event.TaskState) and message.state == "ON")
-        while runtime.ask(live.Read("jog", ("COUNT",))).values["COUNT"] < 20:
+        while runtime.ask(live.Read("jog", ("COUNT",))).values["COUNT"] < 100:  # the box's process may come up late
             self.events += runtime.events(0.1)
 
     def until(self, is_it):
