@@ -93,6 +93,20 @@ def test_a_reason_is_made_with_the_arguments_of_its_sentence():
     assert given
 
 
+def test_a_number_goes_into_a_sentence_as_a_number_and_gets_the_decimal_sign_of_its_language():
+    formatted = [
+        f"{path.name}:{call.lineno}"
+        for path, source in sources()
+        if path.suffix == ".py" and ("Reason.of" in source or "LawSentence" in source)
+        for maker in ("Reason.of", "LawSentence")
+        for call in calls_of(source, maker)
+        for keyword in call.keywords
+        for part in ast.walk(keyword.value)
+        if isinstance(part, ast.FormattedValue) and re.search("[efg]'$", ast.unparse(part.format_spec or part))
+    ]
+    assert formatted == []
+
+
 def test_the_laws_say_the_english_of_the_catalogue_with_its_arguments():
     said = {key: (text, names) for key, text, names in law_sentences()}
     assert said == {key: (text, gaps(text)) for key, text in english().items() if key.startswith("laws.")}

@@ -7,7 +7,7 @@ const CONNECTIVES: Record<string, Record<string, string>> = { en: { and: 'and', 
 const DECIMAL_SIGNS: Record<string, string> = { en: '.', es: ',' }
 const LISTS = ['', 'and', 'or', ';']
 const GAP = /\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}/g
-const NUMBER_FORMAT = /^(\+?)(\d*)(?:\.(\d+))?([gf])$/
+const NUMBER_FORMAT = /^(<?)(\+?)(\d*)(?:\.(\d+))?([gf])$/
 
 /** The sentence with its gaps filled; `show` writes a value that is no text, number or list. Throws where one is missing. */
 export function fill<T>(
@@ -41,9 +41,10 @@ function filled<T>(value: Value<T>, rule: string, language: string, show: (value
   const format = NUMBER_FORMAT.exec(kind)
   if (!format || typeof value !== 'number')
     throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)
-  const [, sign, width, digits, letter] = format
+  const [, left, sign, width, digits, letter] = format
   const text = letter === 'f' ? value.toFixed(Number(digits ?? 6)) : general(value, Number(digits ?? 6))
-  return withSign((sign && value >= 0 ? `+${text}` : text).padStart(Number(width)), language)
+  const signed = withSign(sign && value >= 0 ? `+${text}` : text, language)
+  return left ? signed.padEnd(Number(width)) : signed.padStart(Number(width))
 }
 
 function isList<T>(value: Value<T>): value is readonly (Scalar | T)[] {

@@ -175,18 +175,17 @@ def _lines(design: SweepDesign, summary: SweepSummary, path: Path, count: int) -
     if summary.failures:
         yield Reason.of("sweep.failed_first")
         for failure in summary.failures[:10]:
-            yield Reason.of("sweep.failure", count=f"{failure.count:>5}", reason=failure.reason, seed=failure.seed)
+            yield Reason.of("sweep.failure", count=failure.count, reason=failure.reason, seed=failure.seed)
         yield Reason.of("sweep.again", command=_again(design, summary.failures[0].seed))
     yield Reason.of("sweep.kept_in", path=str(path))
 
 
 def _part(part: VariedPart) -> Reason:
     """Its numbers stand below each other."""
-    least, most = f"{part.least:>10.4g}", f"{part.most:<10.4g}"
-    percent, count = f"{100 * part.rate.share:>6.1f}", part.rate.count
+    percent, count = 100 * part.rate.share, part.rate.count
     if part.least == part.most:
-        return Reason.of("sweep.value", least=least, percent=percent, count=count)
-    return Reason.of("sweep.part", least=least, most=most, percent=percent, count=count)
+        return Reason.of("sweep.value", least=part.least, percent=percent, count=count)
+    return Reason.of("sweep.part", least=part.least, most=part.most, percent=percent, count=count)
 
 
 def _again(design: SweepDesign, seed: int) -> str:

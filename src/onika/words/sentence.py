@@ -3,7 +3,7 @@
 A gap is `{name}`, or `{name:rule}` with one of these rules; `{{` and `}}` are braces.
 
 - none: a text as it is, a number as Python writes it but 5.0 as 5, several values with commas between them
-- `.3g`, `+.2f`, `9.3f` …: a number in Python's format of that name, of the kinds `g` and `f`
+- `.3g`, `+.2f`, `9.3f`, `<9.3f` …: a number in Python's format of that name, of the kinds `g` and `f`
 - `quoted`: a text in quotes, as Python writes it
 - `and`, `or`: several values, the last two joined by that word of the language
 - `;`: several values with semicolons between them
@@ -24,7 +24,7 @@ _CONNECTIVES = {"en": {"and": "and", "or": "or"}, "es": {"and": "y", "or": "o"}}
 _DECIMAL_SIGNS = {"en": ".", "es": ","}
 _LISTS = ("", "and", "or", ";")
 _GAP = re.compile(r"\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}")
-_NUMBER_FORMAT = re.compile(r"\+?\d*(\.\d+)?[gf]\Z")
+_NUMBER_FORMAT = re.compile(r"<?\+?\d*(\.\d+)?[gf]\Z")
 
 _TEXTS = {str}
 

@@ -51,7 +51,7 @@ def _outcomes(step: VariableSteps) -> Iterator[Reason]:
         yield Reason.of("desk.refused_times", count=step.refused)
 
 
-def _number(value: float, unit: str) -> str:
+def _number(value: float, unit: str) -> Reason:
     if unit in ("", "-"):
-        return f"{value:.4g}"
-    return f"{value:.4g} {unit}"
+        return Reason.of("desk.step_value", value=value)
+    return Reason.of("desk.step_value_unit", value=value, unit=unit)

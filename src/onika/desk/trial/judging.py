@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 from onika.desk.trial.account import CompletedAction, Elements, FlowAccount, RunAccount
 from onika.desk.trial.alignment import Pair, align
-from onika.files.line import show_number
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptMeeting, KeptRun
 from onika.words.reason import Reason
 
@@ -185,7 +184,7 @@ def _deviation(demand: Demand, values: tuple[float, ...]) -> Iterator[tuple[str,
     if not wrong:
         return
     at, others = wrong[0], len(wrong) - 1
-    expected, actual = _show(demand.values[at], demand.tolerance), f"{values[at]:.4g} {demand.unit}".rstrip()
+    expected, actual = _show(demand.values[at], demand.tolerance), _found(values[at], demand.unit)
     what = Reason.of("trial.value", expected=expected, actual=actual)
     if others:
         what = Reason.of("trial.value_more", expected=expected, actual=actual, count=others)
@@ -244,7 +243,13 @@ def _named(at: int | None, name: str) -> Reason:
     return Reason.of("trial.action", number=(at or 0) + 1, name=name)
 
 
-def _show(value: float, within: float) -> str:
+def _show(value: float, within: float) -> Reason:
     if within:
-        return f"{show_number(value)} ± {show_number(within)}"
-    return show_number(value)
+        return Reason.of("trial.value_about", value=value, within=within)
+    return Reason.of("trial.value_exact", value=value)
+
+
+def _found(value: float, unit: str) -> Reason:
+    if unit:
+        return Reason.of("trial.value_found_unit", value=value, unit=unit)
+    return Reason.of("trial.value_found", value=value)
