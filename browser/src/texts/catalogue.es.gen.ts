@@ -3531,6 +3531,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "store.path_null": "una ruta no contiene caracteres nulos",
   "store.path_without_base_directory": "se esperaba un directorio base de la ruta de búsqueda; no hay ninguno",
   "store.rename_either": "cambiar el nombre de la configuración o de la aplicación {name}",
+  "store.robot_motors": "nada acciona {joints:and}: cada una recibe un motor, al final del modelo copiado",
   "store.robot_unreadable": "{place}: {reason}; no se escribió nada",
   "store.sent_around": "{host} nos envía de un lugar a otro y nunca responde",
   "store.sent_elsewhere": "{host} nos envía a otro lugar, {location:quoted}; no se sigue",

@@ -1,12 +1,13 @@
 """The model of a robot with all files that it needs, as it comes into a base directory (requirement X19)."""
 
 import os
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from onika.store.model_file import Needed, self_contained
+from onika.store.motor_repair import with_motors
 from onika.store.urdf_repair import ABSENT, repaired
 from onika.wire.world_source import WorldFile, WorldSource, digest_of
 from onika.words.reason import Reason
@@ -35,10 +36,13 @@ class RobotPackage:
     lacks: tuple[Reason, ...] = ()
 
 
-def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset()) -> RobotPackage:
+def package(
+    path: Path, name: str, base: Path, dropped: Set[Path] = frozenset(), undriven: Sequence[str] = ()
+) -> RobotPackage:
     """The model at a path for the robot `name` in a base directory; raises ValueError with the reason why not.
 
-    A model in MJCF that lies in the base directory stays there; a URDF is repaired, without the meshes `dropped`.
+    A model in MJCF that lies in the base directory stays there as it is, of another one the joints `undriven` get
+    motors; a URDF is repaired, without the meshes `dropped`.
     """
     if path.suffix.lower() == _URDF:
         return _urdf(path, name, dropped)
@@ -52,10 +56,14 @@ def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset())
         return _packaged(name, file, {}, (path, content), needed, notes, notes)
     where = {Path(os.path.normpath(one.path)): one.path.read_bytes() for one in needed}
     where[path.resolve()] = path.read_bytes()
+    lacks = notes
+    if undriven:
+        content, where[path.resolve()] = (with_motors(text, undriven) for text in (content, where[path.resolve()]))
+        notes = (*notes, Reason.of("store.robot_motors", joints=tuple(undriven)))
     root = _root(where)
     contents = {f"{ROBOTS}/{name}/{file.relative_to(root).as_posix()}": data for file, data in where.items()}
     file = f"{name}/{path.resolve().relative_to(root).as_posix()}"
-    return _packaged(name, file, contents, (path, content), needed, notes, notes)
+    return _packaged(name, file, contents, (path, content), needed, notes, lacks)
 
 
 def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:

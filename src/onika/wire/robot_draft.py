@@ -34,5 +34,7 @@ class RobotDraft(Struct, frozen=True):
     """A place before a base, x y (m) and turn (rad); empty: the robot does not drive."""
     refusal: Reason = NOTHING
     """Why there is no draft."""
+    undriven: tuple[str, ...] = ()
+    """Joints of an arm that would have to be driven for a draft."""
     unusable: tuple[str, ...] = ()
     """Files that the model needs and MuJoCo does not take, by their contents."""

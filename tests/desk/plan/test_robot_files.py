@@ -55,3 +55,23 @@ def test_a_mesh_that_is_gone_is_told_before_what_comes_of_it(tmp_path):  # R-X19
     with pytest.raises(ValueError, match=r"gone\.stl, found none.*without that.*nothing was written"):
         create_robot(model(tmp_path, text), tmp_path / "mine", SITE)
     assert not (tmp_path / "mine").exists()
+
+
+def test_an_arm_of_which_only_the_hand_is_driven_gets_motors_in_the_copy_of_its_model(tmp_path):  # R-X19
+    motors = ARM[ARM.index('    <motor name="turn"') : ARM.index('    <position name="squeeze"')]
+    given = model(tmp_path, ARM.replace(motors, ""))
+    made = create_robot(given, tmp_path / "mine", SITE)
+    assert "store.robot_motors" in {note.key for note in made.notes}
+    assert "turn_motor" in (tmp_path / "mine" / "robot" / "elbow" / "elbow.xml").read_text()
+    assert given.read_text() == ARM.replace(motors, "")
+    robot = (tmp_path / "mine" / "robot" / "elbow.robot").read_text()
+    assert "SPEED       2 2 0.5" in robot and "MOVES       squeeze" in robot
+
+
+def test_a_model_that_lies_in_the_base_directory_is_not_changed_but_refused(tmp_path):  # R-X19
+    motors = ARM[ARM.index('    <motor name="turn"') : ARM.index('    <position name="squeeze"')]
+    (tmp_path / "robot").mkdir()
+    given = model(tmp_path / "robot", ARM.replace(motors, ""))
+    with pytest.raises(ValueError, match="which nothing drives"):
+        create_robot(given, tmp_path, SITE)
+    assert given.read_text() == ARM.replace(motors, "")

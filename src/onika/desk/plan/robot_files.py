@@ -60,11 +60,15 @@ def create_robot(model: Path, base: Path, site: Site, name: str = "", say: Say =
 
 
 def _drafted(model: Path, base: Path, name: str) -> tuple[RobotPackage, RobotDraft]:
-    """The model and its draft; meshes that cannot be used are dropped from a URDF."""
+    """The model and its draft; meshes that cannot be used are dropped from a URDF, and an arm in MJCF gets motors."""
     dropped: set[Path] = set()
+    undriven: tuple[str, ...] = ()
     for _ in range(_TRIES):
-        packed = package(model, name, base, dropped)
+        packed = package(model, name, base, dropped, undriven)
         draft = drafted(packed.source, name, packed.file)
+        if draft.undriven and not undriven:
+            undriven = draft.undriven
+            continue
         unusable = {packed.origins[file].resolve() for file in draft.unusable if file in packed.origins}
         if not draft.refusal or not unusable - dropped or model.suffix.lower() != ".urdf":
             break

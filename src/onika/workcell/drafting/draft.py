@@ -37,6 +37,7 @@ from onika.workcell.drafting.draft_motion import (
     seconds_between,
     straight_line,
 )
+from onika.workcell.drafting.draft_motors import undriven
 from onika.workcell.drafting.draft_pictures import draft_pictures
 from onika.workcell.drafting.draft_units import doubtful_units
 
@@ -70,6 +71,8 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
         return RobotDraft(refusal=reason_of(wrong), unusable=tuple(_unusable(files)))
     base = draft_base(model)
     chain = draft_chain(model, base.joints if base else ())
+    if base is None and (joints := undriven(model, chain)):
+        return RobotDraft(refusal=_nothing_driven(model), undriven=joints)
     if chain is None and base is not None:
         return _driving(model, base, bare, sources)
     if chain is None:

@@ -52,7 +52,7 @@ def draft_chain(model: Any, taken: Sequence[int] = ()) -> DraftChain | None:
     if not joints:
         return None
     first = int(model.jnt_bodyid[joints[0]])
-    above = [body for body in _above(model, first) if model.body_jntnum[body]]
+    above = [body for body in bearers(model, first) if model.body_jntnum[body]]
     loose = tuple(
         model.joint(joint).name
         for body in reversed(above)
@@ -72,7 +72,7 @@ def driven_joints(model: Any) -> set[int]:
 
 def below(model: Any, body: int) -> list[int]:
     """A body and all that it bears."""
-    return [other for other in range(1, model.nbody) if other == body or body in _above(model, other)]
+    return [other for other in range(1, model.nbody) if other == body or body in bearers(model, other)]
 
 
 def _fixed_to(model: Any, body: int) -> list[int]:
@@ -118,8 +118,8 @@ def _runs(model: Any, driven: set[int]) -> Iterator[list[int]]:
     A rod that nothing drives, as one of a parallelogram, is no branch.
     """
     moving = [body for body in range(1, model.nbody) if _is_moving(model, body)]
-    bearer = {body: next((at for at in _above(model, body) if at in moving), 0) for body in moving}
-    led = {at for body in moving if driven & {*_joints(model, body)} for at in (body, *_above(model, body))}
+    bearer = {body: next((at for at in bearers(model, body) if at in moving), 0) for body in moving}
+    led = {at for body in moving if driven & {*_joints(model, body)} for at in (body, *bearers(model, body))}
     borne: Mapping[int, list[int]] = {
         at: [body for body in moving if bearer[body] == at and body in led and not _is_finger(model, body)]
         for at in [0, *moving]
@@ -142,9 +142,23 @@ def _usable(model: Any, run: Sequence[int], driven: set[int]) -> tuple[int, ...]
         joints = [*_joints(model, body)]
         part = [*part, *joints] if driven.issuperset(joints) else []
         longest = max(longest, part, key=len)
-    while longest and _FINGER.search(model.joint(longest[-1]).name):
+    while longest and (_FINGER.search(model.joint(longest[-1]).name) or _has_twin(model, longest)):
         longest.pop()
     return tuple(longest)
+
+
+def _has_twin(model: Any, joints: Sequence[int]) -> bool:
+    """Whether the last of several joints goes with one beside it, as a finger does."""
+    bearer = {joint: int(model.body_parentid[int(model.jnt_bodyid[joint])]) for joint in range(model.njnt)}
+    last = joints[-1]
+    return len(joints) > 1 and any(last in pair and bearer[pair[0]] == bearer[pair[1]] for pair in couplings(model))
+
+
+def couplings(model: Any) -> list[tuple[int, int]]:
+    """The joints of which one follows the other."""
+    bonds = [k for k in range(model.neq) if int(model.eq_type[k]) == int(mujoco.mjtEq.mjEQ_JOINT)]
+    pairs = [(int(model.eq_obj1id[k]), int(model.eq_obj2id[k])) for k in bonds]
+    return [pair for pair in pairs if -1 not in pair]
 
 
 def _is_moving(model: Any, body: int) -> bool:
@@ -161,7 +175,7 @@ def _joints(model: Any, body: int) -> range:
     return range(first, first + int(model.body_jntnum[body]))
 
 
-def _above(model: Any, body: int) -> list[int]:
+def bearers(model: Any, body: int) -> list[int]:
     """The bodies that bear a body, the nearest first, without the world."""
     bodies = []
     at = int(model.body_parentid[body])
