@@ -71,12 +71,9 @@ def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
         return RobotDraft(refusal=reason_of(wrong), unusable=tuple(_unusable(files)))
     base = draft_base(model)
     chain = draft_chain(model, base.joints if base else ())
-    if base is None and (joints := undriven(model, chain)):
-        return RobotDraft(refusal=_nothing_driven(model), undriven=joints)
-    if chain is None and base is not None:
-        return _driving(model, base, bare, sources)
-    if chain is None:
-        return RobotDraft(refusal=_nothing_driven(model))
+    lacking = () if base else undriven(model, chain)
+    if chain is None or lacking:
+        return _without_arm(model, base, bare, sources, lacking)
     home = draft_home(model, chain, is_apart=file.endswith(_URDF))
     hand = draft_hand(model, chain, home.values)
     at_home = _data(model, chain, home.values)
@@ -104,8 +101,12 @@ def _nothing_driven(model: Any) -> Reason:
     return Reason.of("workcell.draft_none_driven", joints=loose, count=model.nu)
 
 
-def _driving(model: Any, base: DraftBase, bare: RobotText, sources: SourceTexts) -> RobotDraft:
-    """The draft of a robot that only drives."""
+def _without_arm(
+    model: Any, base: DraftBase | None, bare: RobotText, sources: SourceTexts, lacking: tuple[str, ...]
+) -> RobotDraft:
+    """The draft of a robot that only drives; a refusal of one that does not, with the joints that would need motors."""
+    if base is None:
+        return RobotDraft(refusal=_nothing_driven(model), undriven=lacking)
     cameras = draft_cameras(model, [BASE])
     robot = RobotText(bare.name, bare.file, bare.name, devices=(base.device,), cameras=cameras)
     faults: list[Fault] = []
