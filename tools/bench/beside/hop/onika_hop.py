@@ -1,6 +1,7 @@
 """A hop as Onika's runtime does it: a ring of shared memory for the value, a datagram of the post to wake the other.
 
-The receiver waits in `select`, then takes datagrams until there is none, as a processing unit does with commands.
+The receiver acts on each datagram as it comes, and waits in `select` where there is none, as a processing unit does with
+commands.
 """
 
 import select
@@ -36,13 +37,13 @@ class End:
 
     def wait(self) -> bool:
         """Until woken; then `got` is what the other end has sent. False when it is gone."""
-        post, is_woken = self._post, False
-        while not (is_woken or post.is_closed):
+        post = self._post
+        while post.receive() is None:
+            if post.is_closed:
+                return False
             select.select([post], [], [])
-            while post.receive() is not None:
-                is_woken = True
         self._read()
-        return is_woken
+        return True
 
 
 def contestant() -> None:
