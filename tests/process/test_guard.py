@@ -2,6 +2,7 @@
 
 import os
 import select
+import signal
 import socket
 import subprocess
 import sys
@@ -158,6 +159,41 @@ def test_who_is_at_work_when_a_runtime_ends_has_a_moment_longer(tmp_path, how, i
         ours.send("\0".join(["own group", "", *command]).encode())
         assert keeper.wait(PATIENCE_S) == 0
     assert (tmp_path / "written").exists() == is_done
+
+
+@pytest.fixture
+def signals(monkeypatch):
+    """Who was sent which signal, while time goes by and nobody is really there."""
+    sent, clock = [], iter(range(1000))
+    monkeypatch.setattr(guard.os, "kill", lambda pid, signum: sent.append((pid, signum)))
+    monkeypatch.setattr(guard, "monotonic", lambda: next(clock) * 0.1)
+    monkeypatch.setattr(guard.select, "select", lambda *_: None)
+    return sent
+
+
+def looks(monkeypatch, *families):
+    """What is found at each look; the last one stays."""
+    found = [dict(each) for each in families]
+    monkeypatch.setattr(guard, "family", lambda: found.pop(0) if len(found) > 1 else found[0])
+
+
+def test_the_child_of_one_that_died_while_it_was_looked_for_is_ended_too(monkeypatch, signals):  # R-X12
+    dead = {10: b"Z"}
+    looks(monkeypatch, {10: b"R"}, dead, *[{**dead, 11: b"S"}] * 12, {**dead, 11: b"Z"})
+    guard.end_family(0.3, 0.0)
+    assert [signum for pid, signum in signals if pid == 11] == [0, signal.SIGTERM, signal.SIGKILL]
+
+
+def test_where_all_are_dead_nobody_is_waited_for(monkeypatch, signals):  # R-X12
+    looks(monkeypatch, {10: b"Z"})
+    guard.end_family(0.3, 0.0)
+    assert signals == []
+
+
+def test_who_is_born_while_all_are_ended_is_ended_as_well(monkeypatch, signals):  # R-X12
+    looks(monkeypatch, *[{10: b"S"}] * 7, {10: b"Z", 11: b"R"}, {10: b"Z", 11: b"Z"})
+    guard.end_family(0.3, 0.0)
+    assert (11, signal.SIGKILL) in signals
 
 
 def test_it_knows_nothing_of_onika():

@@ -23,6 +23,7 @@ import select
 import signal
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from time import monotonic
 
@@ -32,6 +33,8 @@ OWN_PID = "{guard}"
 """The word in a runtime's command in whose place the guard puts its own process id."""
 GRACE_S = 1.0
 """So long a partner has to end by itself, and as long again after it was asked to by a signal."""
+ENDED_S = 2.0
+"""So long whoever was ended has to be gone, with the children that it may have had just then."""
 LAST_WORDS_S = 0.7
 """So long those whom a runtime leaves behind have to end by themselves: one of them finishes a recording."""
 WORK_S = 1.4
@@ -161,23 +164,35 @@ def end_family(grace_s: float, asked_s: float, work_s: float = 0.0) -> None:
 
     The moment is `grace_s`, but `work_s` where somebody does not only wait, or stand.
     """
-    steps = ((0, grace_s), (signal.SIGTERM, asked_s), (signal.SIGKILL, GRACE_S), (signal.SIGKILL, GRACE_S))
-    for signum, patience_s in steps:  # ended twice: one may have had a child just then
-        for pid in family():
-            with contextlib.suppress(OSError):
-                os.kill(pid, signum)
+    for signum, patience_s in ((0, grace_s), (signal.SIGTERM, asked_s), (signal.SIGKILL, ENDED_S)):
+        dead: set[int] | None = None
+        told: set[int] = set()
         begin = monotonic()
-        while states := family():
-            is_at_work = not signum and not _AT_WORK.isdisjoint(states.values())
+        while True:
+            states = family()
+            living = {pid: state for pid, state in states.items() if state != b"Z"}
+            if not living and dead == states.keys():
+                return
+            dead = None if living else set(states)
+            if not living:
+                continue  # one that was dead when it was looked at may have had a child after the list was made
+            tell(living.keys() - told, signum)
+            told |= living.keys()
+            is_at_work = not signum and not _AT_WORK.isdisjoint(living.values())
             if monotonic() - begin > (max(patience_s, work_s) if is_at_work else patience_s):
                 break
             select.select([], [], [], _LOOK_S)
-        else:
-            return
+
+
+def tell(processes: Iterable[int], signum: int) -> None:
+    """Send them a signal; some may be gone."""
+    for pid in processes:
+        with contextlib.suppress(OSError):
+            os.kill(pid, signum)
 
 
 def family() -> dict[int, bytes]:
-    """All living processes that come from this one, with the letters of their states."""
+    """All processes that come from this one, with the letters of their states; also the dead, whom nobody reaps."""
     children: dict[int, list[tuple[int, bytes]]] = {}
     for path in Path("/proc").iterdir():
         with contextlib.suppress(OSError):
@@ -188,8 +203,7 @@ def family() -> dict[int, bytes]:
     while left:
         for pid, state in children.get(left.pop(), []):
             left.append(pid)
-            if state != b"Z":
-                states[pid] = state
+            states[pid] = state
     return states
 
 

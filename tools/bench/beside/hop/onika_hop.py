@@ -1,7 +1,7 @@
 """A hop as Onika's runtime does it: a ring of shared memory for the value, a datagram of the post to wake the other.
 
-The receiver acts on each datagram as it comes, and waits in `select` where there is none, as a processing unit does with
-commands.
+The receiver acts on each datagram as it comes, and waits in `select` where there is none, as a processing unit does
+with commands.
 """
 
 import select
