@@ -62,10 +62,12 @@ def test_a_run_without_a_world_has_nothing_to_draw(capsys, tmp_path):
     assert capsys.readouterr().out.splitlines()[-1] == "no picture: there is no world to draw"
 
 
-def test_a_runtime_that_cannot_begin_is_told_without_a_traceback_of_ours(capsys, monkeypatch):  # R-E10
+def test_a_graphics_library_that_is_not_there_is_a_fault_of_what_needs_it_and_no_traceback(
+    capsys, monkeypatch
+):  # R-B07
     monkeypatch.setenv("MUJOCO_GL", "nonsense")  # the library of the worlds refuses to be imported
-    assert main(["run", "go_home", "--virtual"]) == 1
+    assert main(["run", "go_home", "--virtual"]) == 2
     captured = capsys.readouterr()
-    assert "go_home: aborted, 0 of 1 actions" in captured.out
-    assert "nonsense" in captured.out
+    assert "go_home: refused, nothing moved" in captured.out
+    assert "invalid value for environment variable MUJOCO_GL: nonsense" in captured.out
     assert captured.err == ""
