@@ -3,15 +3,15 @@
 import os
 import select
 import socket
-import subprocess
-import sys
 from collections.abc import Iterator
+from contextlib import suppress
 
 import numpy as np
 import numpy.typing as npt
 
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
+from onika.workcell.filmed.begun_process import BegunProcess
 from onika.workcell.filmed.camera_messages import Exposed, Exposure, Film, decode_exposed, encode, room_of
 
 WAYS = ("egl", "osmesa")
@@ -45,7 +45,7 @@ class CameraRenderer:
         self._ways = [""] if film.source else [*ways]
         self._owed: dict[int, Exposure] = {}
         self._why = Reason.of("workcell.camera_ended") if film.source else Reason.plain(_ENDED)
-        self._process: subprocess.Popen[bytes] | None = None
+        self._process: BegunProcess | None = None
         self._start()
 
     @property
@@ -95,14 +95,9 @@ class CameraRenderer:
         words = ("--fd", "--film", "--pixels")
         options = [part for word, fd in zip(words, fds, strict=True) for part in (word, str(fd))]
         without = {name: value for name, value in os.environ.items() if name != "PYOPENGL_PLATFORM"}
-        self._process = subprocess.Popen(  # noqa: S603 - our own code, no shell
-            [sys.executable, "-m", _REAL_PROCESS if self._source else _PROCESS, *options],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            pass_fds=fds,
-            env={**without, "MUJOCO_GL": self._ways.pop(0), "LP_NUM_THREADS": "1"},
-        )
+        environment = {**without, "MUJOCO_GL": self._ways.pop(0), "LP_NUM_THREADS": "1"}
+        with suppress(OSError):  # no room for a process: then there are no pictures
+            self._process = BegunProcess(_REAL_PROCESS if self._source else _PROCESS, options, fds, environment)
         theirs.close()
         for exposure in self._owed.values():
             self._send(exposure)
@@ -124,6 +119,5 @@ class CameraRenderer:
     def _end(self) -> None:
         if self._process is not None:
             self._post.close()
-            self._process.kill()
-            self._process.wait()
+            self._process.end()
             self._process = None

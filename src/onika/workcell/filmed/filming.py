@@ -26,8 +26,8 @@ class Filming:
     """
 
     def __init__(self, files: WorldSource, cameras: Sequence[CameraUnit], ways: tuple[str, ...] = WAYS) -> None:
-        self._files, self._ways = files, ways
         self._source = cameras[0].source if cameras else ""
+        self._files, self._ways = WorldSource(files.world, files.digest, ()) if self._source else files, ways
         self._cameras = tuple(cameras)
         self._numbers = {unit.sheet.name: number for number, unit in enumerate(self._cameras)}
         self._used: set[str] = set()
