@@ -43,3 +43,17 @@ def test_it_is_ended_without_a_wait_and_leaves_nothing():  # R-F05, law 16
         except ProcessLookupError:
             return
     raise AssertionError("the process is still there")
+
+
+def test_what_takes_long_is_done_there_before_it_becomes_a_program():  # R-F05, law 16
+    ours, theirs = socket.socketpair()
+    done = []
+
+    def before():
+        done.append(theirs.send(b"before "))
+
+    script = f"import os; os.write({theirs.fileno()}, b'then')"
+    process = BegunProcess("timeit", ("-n", "1", "-r", "1", script), (theirs.fileno(),), os.environ, before)
+    theirs.close()
+    assert ended(ours) == b"before then" and done == []
+    process.end()

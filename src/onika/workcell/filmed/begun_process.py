@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from threading import Thread
 
 _STANDARD = 3
@@ -16,16 +16,24 @@ _STANDARD = 3
 
 
 class BegunProcess:
-    """One of our own modules as a program; it has these descriptors, and no other of ours. Raises OSError."""
+    """One of our own modules as a program; it has these descriptors, and no other of ours. Raises OSError.
+
+    before  what takes long, and is done in the new process before it becomes that program: it has all that this one has
+    """
 
     def __init__(
-        self, module: str, words: Sequence[str], descriptors: Sequence[int], environment: Mapping[str, str]
+        self,
+        module: str,
+        words: Sequence[str],
+        descriptors: Sequence[int],
+        environment: Mapping[str, str],
+        before: Callable[[], None] = lambda: None,
     ) -> None:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DeprecationWarning)  # that threads are gone: it becomes another program
             self.pid = os.fork()
         if not self.pid:
-            _become([sys.executable, "-m", module, *words], descriptors, environment)
+            _become([sys.executable, "-m", module, *words], descriptors, environment, before)
 
     def end(self) -> None:
         """It is ended, and gone some time later."""
@@ -33,9 +41,12 @@ class BegunProcess:
         Thread(target=os.waitpid, args=(self.pid, 0), daemon=True).start()
 
 
-def _become(words: Sequence[str], descriptors: Sequence[int], environment: Mapping[str, str]) -> None:
+def _become(
+    words: Sequence[str], descriptors: Sequence[int], environment: Mapping[str, str], before: Callable[[], None]
+) -> None:
     """In the new process."""
     try:
+        before()
         nowhere = os.open(os.devnull, os.O_RDWR)
         for number in range(_STANDARD):
             os.dup2(nowhere, number)

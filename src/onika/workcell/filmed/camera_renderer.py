@@ -31,9 +31,7 @@ class CameraRenderer:
     """
 
     def __init__(self, film: Film, ways: tuple[str, ...] = WAYS) -> None:
-        content = encode(film)
-        self._film = Segment.create("film", len(content))
-        self._film.view[:] = content
+        self._content, self._film = film, Segment.create("film", 1)  # written by the process that is to have it
         self._memory = Segment.create("pictures", room_of(film.eyes))
         self.pixels: tuple[npt.NDArray[np.uint8], ...] = tuple(
             np.frombuffer(self._memory.view, np.uint8, 3 * eye.width * eye.height, eye.offset).reshape(
@@ -96,11 +94,20 @@ class CameraRenderer:
         options = [part for word, fd in zip(words, fds, strict=True) for part in (word, str(fd))]
         without = {name: value for name, value in os.environ.items() if name != "PYOPENGL_PLATFORM"}
         environment = {**without, "MUJOCO_GL": self._ways.pop(0), "LP_NUM_THREADS": "1"}
+        module = _REAL_PROCESS if self._source else _PROCESS
         with suppress(OSError):  # no room for a process: then there are no pictures
-            self._process = BegunProcess(_REAL_PROCESS if self._source else _PROCESS, options, fds, environment)
+            self._process = BegunProcess(module, options, fds, environment, self._write)
         theirs.close()
         for exposure in self._owed.values():
             self._send(exposure)
+
+    def _write(self) -> None:
+        """The files of a world may be as large as its meshes: to write them is no matter of the loop that steps it."""
+        content = memoryview(encode(self._content))
+        os.ftruncate(self._film.fd, len(content))
+        at = 0
+        while at < len(content):
+            at += os.pwrite(self._film.fd, content[at:], at)
 
     def _send(self, exposure: Exposure) -> None:
         try:
