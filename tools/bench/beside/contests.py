@@ -60,6 +60,7 @@ CONTESTS = (
         unit="us",
         ours=Entrant("Onika, ring and post", "beside.hop.onika_hop"),
         peers=(
+            Entrant("the same calls of the system, in C", "beside.hop.c_hop"),
             Entrant("iceoryx2, publish and event", "beside.hop.iceoryx2_hop", "iceoryx2", 1.0),
             Entrant("pyzmq, PAIR over ipc", "beside.hop.zmq_hop", "pyzmq", 1 / 2),
             Entrant("Zenoh, TCP on the loopback", "beside.hop.zenoh_hop", "eclipse-zenoh", 1 / 4),

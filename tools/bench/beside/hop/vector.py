@@ -21,5 +21,10 @@ def hops(there_and_back: Callable[[list[float]], list[float]], count: int) -> Fi
         times.append(perf_counter_ns() - began)
         if back != values:
             raise RuntimeError(f"expected {values}, found {back}")
-    found = sorted(times[WARM_UP:])
-    return {"figure": found[len(found) // 2] / 2e3, "p99": found[int(len(found) * 0.99)] / 2e3}
+    return figures([time / 2e3 for time in times[WARM_UP:]])
+
+
+def figures(microseconds: list[float]) -> Figures:
+    """Median and 99 % of hops."""
+    found = sorted(microseconds)
+    return {"figure": found[len(found) // 2], "p99": found[int(len(found) * 0.99)]}
