@@ -105,7 +105,11 @@ def inserting(page: Page) -> None:
         page.wait_for_timeout(300)
         acted(page)
         page.evaluate(NEXT)
-        target.click(button="right")
+        target.hover()
+        page.wait_for_timeout(200)  # who presses has seen where the pointer is: no frame is under way for that
+        page.mouse.down(button="right")
+        page.wait_for_timeout(60)
+        page.mouse.up(button="right")
         page.wait_for_timeout(400)
         took += acted(page)[:1]
     page.evaluate("() => { window.awaited = '' }")
