@@ -1,3 +1,5 @@
+import subprocess
+import sys
 from io import TextIOWrapper
 from pathlib import Path
 
@@ -37,3 +39,19 @@ def test_help_that_cannot_be_written_is_a_failure(words, capsys, monkeypatch):
         monkeypatch.setattr("onika.cli.commands._drop_output", lambda: None)
         assert carry_out(words) == 1
     assert "no space" in capsys.readouterr().err
+
+
+LEAD_NOWHERE = """
+import os
+for number in range(3):
+    os.close(number)
+from onika.cli import main
+try:
+    main(["--version"])
+except SystemExit:
+    os._exit(0 if {os.readlink(f"/proc/self/fd/{number}") for number in range(3)} == {"/dev/null"} else 1)
+"""
+
+
+def test_a_program_that_is_started_without_input_and_outputs_has_them_lead_nowhere():  # R-A15
+    assert subprocess.run([sys.executable, "-c", LEAD_NOWHERE], check=False).returncode == 0
