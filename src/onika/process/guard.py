@@ -21,7 +21,6 @@ import ctypes
 import os
 import select
 import signal
-import subprocess
 import sys
 from collections.abc import Iterable
 from time import monotonic
@@ -39,6 +38,8 @@ LAST_WORDS_S = 0.7
 WORK_S = 1.4
 """And so long while one of them is at work: the last half minute of a run is written on a machine that is busy."""
 _LOOK_S = 0.05
+_USUAL = (signal.SIGPIPE, signal.SIGXFSZ)
+"""Signals that Python ignores, and no program that it starts does."""
 _AT_WORK = frozenset((b"R", b"D"))
 """The letters of those who run, or would if they could, and of those who wait for a disk."""
 _LONGEST_ORDER = 1 << 20
@@ -47,6 +48,8 @@ _ADOPT_ORPHANS = 36  # PR_SET_CHILD_SUBREAPER of prctl(2)
 
 def keep_partner(command: list[str], lifeline: int, grace_s: float) -> None:
     """Start the program of a task, and see to its end; `grace_s` is how long it has to end by itself."""
+    import subprocess  # within: the guard of a runtime starts without it
+
     try:
         program = subprocess.Popen(command, start_new_session=True)  # noqa: S603 - who may start it was judged before
     except OSError as wrong:
@@ -71,21 +74,21 @@ def keep_runtime(lifeline: int) -> None:
     parent = os.getppid()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the runtime begins so, else a Ctrl-C would tear its start
     try:
-        runtime = subprocess.Popen(command, pass_fds=passed, start_new_session=own_group == "own group")  # noqa: S603
+        runtime = os.posix_spawnp(command[0], command, os.environ, setsid=bool(own_group), setsigdef=_USUAL)
     except OSError as wrong:
         say(lifeline, f"unstartable {wrong.errno}")
         return
     for number in passed:
         os.close(number)
     mute()
-    forward(signal.SIGTERM, runtime.pid)
+    forward(signal.SIGTERM, runtime)
     signal.signal(signal.SIGINT, lambda _number, _frame: wake(parent))
-    say(lifeline, f"pid {runtime.pid}")
-    code = runtime_ended(runtime.pid, deaths, lifeline)
+    say(lifeline, f"pid {runtime}")
+    code = runtime_ended(runtime, deaths, lifeline)
     if code is not None:
         say(lifeline, f"signal {-code}" if code < 0 else f"exit {code}")
     else:
-        os.kill(runtime.pid, signal.SIGKILL)
+        os.kill(runtime, signal.SIGKILL)
     end_family(LAST_WORDS_S, 0.0, WORK_S)
 
 
