@@ -44,7 +44,7 @@ def test_the_words_hold_the_numbers_that_matter():
 
 
 def test_why_a_link_was_lost_is_said_in_spanish_too():  # R-G03
-    assert in_language(lost.silent(3.04).reason, "es") == "el otro lado calla desde hace 3.0 s"
+    assert in_language(lost.silent(3.04).reason, "es") == "el otro lado calla desde hace 3,0 s"
     assert in_language(lost.closed(Reason.plain("reset")).reason, "es") == "el otro lado cerró la conexión: reset"
 
 

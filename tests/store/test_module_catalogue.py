@@ -17,7 +17,7 @@ def test_a_module_speaks_the_language_of_the_catalogue_beside_its_code(tmp_path)
     )
     reason = of_module(of_sentence(SENTENCE, {"joint": 3, "limit": 2.14}), "reach")
     translations = translations_of([BaseDirectory(tmp_path)], "es")
-    assert in_language(reason, "es", translations) == "articulación 3: más de 2.1"
+    assert in_language(reason, "es", translations) == "articulación 3: más de 2,1"
     assert in_language(reason, "es") == in_language(reason, "en", translations) == "joint 3 is beyond 2.1"
 
 
