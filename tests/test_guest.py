@@ -2,7 +2,10 @@
 
 import io
 import json
+import os
+import signal
 import socket
+import subprocess
 import sys
 import threading
 from types import SimpleNamespace
@@ -229,3 +232,82 @@ def test_without_an_address_its_standard_input_and_output_are_the_conversation(m
     monkeypatch.setattr(sys, "stdout", SimpleNamespace(buffer=answers))
     Oracle().serve()
     assert json.loads(answers.getvalue())["guest"] == "oracle"
+
+
+PONDERS = """
+import sys
+from pathlib import Path
+from onika.guest import GuestProgram, action
+
+class Oracle(GuestProgram):
+    name = "oracle"
+
+    @action
+    def ponder(self, errand):
+        print("begun", flush=True)
+        errand.wait(3600)
+        {more}
+        print("in order", flush=True)
+
+Oracle().serve({at!r})
+"""
+
+
+@pytest.fixture
+def program(tmp_path):
+    """Starts a guest as a program, whose action is under way: it, and the line on which it was asked."""
+    begun = []
+
+    def start(more="", at=f"unix:{tmp_path / 'apart'}"):
+        words = [sys.executable, "-c", PONDERS.format(more=more, at=at)]
+        begun.append(
+            subprocess.Popen(
+                words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=os.environ | {"ONIKA_PARTNER": ""}
+            )
+        )
+        asked = b'{"onika": 1, "id": 1, "ask": "do", "task": "a/b", "action": "ponder"}\n'
+        if at:
+            line = connected(at.removeprefix("unix:"))
+            line.say(asked)
+        else:
+            line = None
+            begun[-1].stdin.write(asked)
+            begun[-1].stdin.flush()
+        while begun[-1].stdout.readline() != b"begun\n":
+            pass
+        return begun[-1], line
+
+    yield start
+    for process in begun:
+        process.kill()
+        process.communicate()
+
+
+def connected(path):
+    for _ in range(3000):
+        try:
+            return Line(path)
+        except (ConnectionRefusedError, FileNotFoundError):
+            threading.Event().wait(0.01)
+    raise AssertionError("It never listened.")
+
+
+def test_who_is_asked_to_end_leaves_in_order_what_is_under_way(program):  # R-A20, R-E13
+    process, line = program()
+    process.send_signal(signal.SIGTERM)
+    assert process.communicate(timeout=TIMEOUT_S)[0] == b"in order\n"
+    assert process.returncode == 128 + signal.SIGTERM
+    line.close()
+
+
+def test_whose_input_ends_leaves_in_order_what_is_under_way(program):  # R-A20, R-E13
+    process, _ = program(at="")
+    assert process.communicate(timeout=TIMEOUT_S)[0] == b"in order\n"
+    assert process.returncode == 0
+
+
+def test_what_does_not_want_to_end_holds_up_nobody_for_long(program):  # R-A20
+    process, line = program(more="import time; time.sleep(3600)")
+    process.send_signal(signal.SIGTERM)
+    assert process.communicate(timeout=TIMEOUT_S)[0] == b""
+    line.close()

@@ -16,6 +16,7 @@ import contextlib
 import errno
 import json
 import os
+import signal
 import socket
 import struct
 import sys
@@ -31,6 +32,8 @@ LONGEST = 1 << 16
 """Bytes of one line, in either direction."""
 _MOMENT_S = 3.0
 """How long an address may still be taken by a guest that ends."""
+_ENDING_S = 0.8
+"""How long an action has when the program is asked to end: after a second it is killed."""
 _WORDS = 200
 """Characters of an error, or of what is said, that are told."""
 
@@ -117,22 +120,36 @@ class GuestProgram:
 
         Without an address it listens where ONIKA_PARTNER says, else standard input and output are the conversation.
         Raises OSError where it cannot listen there, ValueError where that is no address.
+
+        When the program is asked to end (SIGTERM), or its input ends, actions under way are stopped, and have a moment.
         """
         address = at or os.environ.get("ONIKA_PARTNER", "")
-        if not address:
-            _Connection(self, sys.stdin.buffer, sys.stdout.buffer).converse()
-            return
+        connections: list[_Connection] = []
+        _leave_when_asked()
+        try:
+            if address:
+                self._listen(address, connections)
+            else:
+                connections.append(_Connection(self, sys.stdin.buffer, sys.stdout.buffer))
+                connections[0].converse()
+        finally:
+            _end_all(connections)
+
+    def _listen(self, address: str, connections: "list[_Connection]") -> None:
         with _listening(address) as server:
             while True:
                 line, _ = server.accept()
-                threading.Thread(target=self._meet, args=(line,), daemon=True).start()
+                threading.Thread(target=self._meet, args=(line, connections), daemon=True).start()
 
-    def _meet(self, line: socket.socket) -> None:
+    def _meet(self, line: socket.socket, connections: "list[_Connection]") -> None:
         if not _is_own(line):
             line.close()
             return
         with line, line.makefile("rb") as questions, line.makefile("wb") as answers, contextlib.suppress(OSError):
-            _Connection(self, questions, answers).converse()
+            connections.append(connection := _Connection(self, questions, answers))
+            connection.converse()
+            if not connection.is_busy:
+                connections.remove(connection)
 
 
 class _Connection:
@@ -143,6 +160,22 @@ class _Connection:
         self._questions = questions
         self._answers = answers
         self._errand: Errand | None = None
+        self._work: threading.Thread | None = None
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether an action is still carried out, stopped or not."""
+        return self._work is not None and self._work.is_alive()
+
+    def stop(self) -> None:
+        """Nobody waits any more for what is under way."""
+        if self._errand is not None:
+            self._errand.stop()
+
+    def wait(self, seconds: float) -> None:
+        """Wait for the action that is under way, but so long at most."""
+        if self._work is not None:
+            self._work.join(seconds)
 
     def converse(self) -> None:
         """Until the other side hangs up, or says what is no question: then what is under way is stopped."""
@@ -150,8 +183,7 @@ class _Connection:
             while (question := _question(self._questions.readline(LONGEST + 1))) is not None:
                 self._take(question)
         finally:
-            if self._errand is not None:
-                self._errand.stop()
+            self.stop()
 
     def _take(self, question: dict[str, Any]) -> None:
         number = question["id"]
@@ -176,7 +208,8 @@ class _Connection:
             values if isinstance(values, dict) else {},
         )
         deed, errand = actions[name], self._errand
-        threading.Thread(target=self._carry_out, args=(number, deed, errand), daemon=True).start()
+        self._work = threading.Thread(target=self._carry_out, args=(number, deed, errand), daemon=True)
+        self._work.start()
 
     def _carry_out(self, number: int, deed: Callable[[Errand], ActionResult | int | None], errand: Errand) -> None:
         answer = _outcome_of(deed, errand)
@@ -187,6 +220,21 @@ class _Connection:
     def _answer(self, number: int, fields: dict[str, Any]) -> None:
         self._answers.write(json.dumps({"id": number, **fields}).encode() + b"\n")
         self._answers.flush()
+
+
+def _leave_when_asked() -> None:
+    """Have SIGTERM end the program in order, where nobody else has a use for it; only the main thread can say that."""
+    if threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL:
+        signal.signal(signal.SIGTERM, lambda number, _frame: sys.exit(128 + number))
+
+
+def _end_all(connections: list[_Connection]) -> None:
+    """Stop what is under way, and give it a moment: what it holds, a robot perhaps, is to be left in order."""
+    for connection in connections:
+        connection.stop()
+    until = time.monotonic() + _ENDING_S
+    for connection in connections:
+        connection.wait(max(0.0, until - time.monotonic()))
 
 
 def _outcome_of(deed: Callable[[Errand], ActionResult | int | None], errand: Errand) -> dict[str, Any]:
