@@ -13,6 +13,7 @@ from onika.link.child.launcher import RuntimeStart, launch
 from onika.link.connection import Connection
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
+from onika.process import guard
 
 RUNTIME = """
 import select, sys, time
@@ -248,3 +249,11 @@ os._exit(0)
     deadline = time.monotonic() + 60
     while is_running(int(done.stdout)):
         assert time.monotonic() < deadline, "the guard, and so the runtime, outlived its program"
+
+
+def test_a_start_whose_guard_is_frozen_is_ended_like_any_other(tmp_path):  # R-X12
+    with RuntimeStart([], command(tmp_path, WAITS), has_more=True) as start:
+        os.kill(start._guard.pid, signal.SIGSTOP)
+        while not guard.is_stopped(start._guard.pid):
+            time.sleep(0.01)
+    assert start._guard.returncode == 0

@@ -199,11 +199,8 @@ def _open(
         outcome.faults += unfit
         yield None
         return
-    with (
-        _runtime(settings, plan, world_values, recorded, start)
-        if opens is None
-        else opens(plan, world_values) as runtime
-    ):
+    opened = _runtime(settings, plan, world_values, recorded, start) if opens is None else opens(plan, world_values)
+    with opened as runtime:
         _prepare(prepared, plan, runtime, outcome)
         outcome.faults = with_causes(with_worlds(outcome.faults, site), site)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)

@@ -14,7 +14,7 @@ from types import TracebackType
 
 from onika.link.carrier import SocketCarrier
 from onika.link.child.output_tail import OutputTail
-from onika.link.child.runtime_process import RuntimeProcess
+from onika.link.child.runtime_process import RuntimeProcess, see_off
 from onika.process import guard
 from onika.ring import last_words
 from onika.ring.segment import Segment
@@ -102,7 +102,7 @@ class RuntimeStart:
         """End one that nobody has taken."""
         if not self._is_taken:
             self._let_go()
-            self._guard.wait()  # it ends the runtime, and whoever that has started
+            see_off(self._guard)
 
     def __enter__(self) -> "RuntimeStart":
         return self

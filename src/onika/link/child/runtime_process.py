@@ -154,8 +154,14 @@ class RuntimeProcess:
     def _leave_nothing(self) -> None:
         """Let the guard end whoever is left; one that cannot is ended itself."""
         self._lifeline.close()
-        try:
-            self._guard.wait(_GUARD_S)
-        except subprocess.TimeoutExpired:
-            self._guard.kill()
-            self._guard.wait()
+        see_off(self._guard)
+
+
+def see_off(guard_process: "subprocess.Popen[bytes]") -> None:
+    """Wait until a guard whose lifeline is closed has ended all that was started; one that cannot is ended itself."""
+    guard.wake(guard_process.pid)
+    try:
+        guard_process.wait(_GUARD_S)
+    except subprocess.TimeoutExpired:
+        guard_process.kill()
+        guard_process.wait()
