@@ -107,16 +107,17 @@ def _run(given: argparse.Namespace, loader: Loader, ending: ShutdownSignals) -> 
             staying.close()
 
 
-def _watched_calls(given: argparse.Namespace) -> Whereabouts:
-    """Whoever is told whose code runs: interrupts what does not return, and lets nobody replace code of ours."""
+def _watched_calls(given: argparse.Namespace) -> tuple[Whereabouts, CodeWatch]:
+    """Who is told whose code runs, and interrupts what does not return; and who lets nobody replace code of ours."""
     watchdog = CallWatchdog()
     last_words = None if given.last_words is None else LastWords(Segment.attach(given.last_words).view)
     leave = _print if last_words is None else last_words.leave
-    Watchman(CodeWatch(CodeGuard(own_code()), leave), watchdog, leave).begin()
+    code_watch = CodeWatch(CodeGuard(own_code()), leave)
+    Watchman(code_watch, watchdog, leave).begin()
     if last_words is not None and given.link_fd is not None:
         watchdog.watch.memory = last_words.name
         watchdog.watch.also = DescriptorGuard(given.link_fd, last_words.watch, leave).watch
-    return watchdog.watch
+    return watchdog.watch, code_watch
 
 
 def _audit(given: argparse.Namespace) -> AuditTrail | None:
@@ -229,35 +230,36 @@ def _virtual(
     booked: BookedUse | None,
 ) -> None:
     """Program after program in virtual time, each beginning anew where the one before was renewed."""
-    watch = _made_ready(given)
+    watch, code_watch = _made_ready(given)
     garbage, network, renewal = Garbage(), NetworkChannel(server), None
     if listener is not None:
         network.adopt(listener)
-    while True:
-        driver = _virtual_driver(given, server, watch, renewal)
-        program = RuntimeProgram(server, driver, loader, _rtpus(given), network=network, booked=booked)
-        _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
-        if renewal is not None:
-            program.go_on(renewal)
-        _turns(program, server, driver, ending, garbage)
-        renewal = program.renewal
-        if renewal is None:
-            break
-        program.leave()
-        driver.close()
+    with code_watch.blaming():
+        while True:
+            driver = _virtual_driver(given, server, watch, renewal)
+            program = RuntimeProgram(server, driver, loader, _rtpus(given), network=network, booked=booked)
+            _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
+            if renewal is not None:
+                program.go_on(renewal)
+            _turns(program, server, driver, ending, garbage)
+            renewal = program.renewal
+            if renewal is None:
+                break
+            program.leave()
+            driver.close()
     _say_last(server)
     program.close()
 
 
-def _made_ready(given: argparse.Namespace) -> Callable[[str], None]:
-    """This process is made ready for virtual time; whoever is told whose code runs."""
+def _made_ready(given: argparse.Namespace) -> tuple[Whereabouts, CodeWatch]:
+    """This process is made ready for virtual time; whoever is told whose code runs, and whoever looks at ours."""
     preload()
-    watch = _watched_calls(given)
+    watches = _watched_calls(given)
     bound()
     still_garbage()
     if given.forecast:
         stay_inside()
-    return watch
+    return watches
 
 
 def _virtual_driver(

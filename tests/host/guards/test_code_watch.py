@@ -66,3 +66,17 @@ def test_without_the_signal_the_loop_looks_every_two_seconds(unit, monkeypatch):
     unit.watch.look_if_due()
     unit.watch.look_if_due()
     assert unit.looked == 1
+
+
+def test_a_fault_that_replaced_code_has_led_to_is_told_as_that(unit):  # law 14, law 15
+    with pytest.raises(KeyError), unit.watch.blaming():
+        exec("def step(): ...", space := {"__name__": "onika_task_sick"})
+        unit.ours.step = space["step"]
+        raise KeyError("rt0")
+    assert (len(unit.said), unit.codes) == (1, [GAVE_UP])
+
+
+def test_any_other_fault_is_told_as_it_is(unit):  # law 15
+    with pytest.raises(KeyError), unit.watch.blaming():
+        raise KeyError("rt0")
+    assert (unit.said, unit.codes) == ([], [])

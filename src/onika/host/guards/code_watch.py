@@ -6,7 +6,8 @@ has taken the signal away. Where both are gone, whoever supervises the process f
 
 import os
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import monotonic_ns
 from types import FrameType
 
@@ -56,6 +57,15 @@ class CodeWatch:
             self._end(GAVE_UP)
         self._looked_ns = monotonic_ns()
         self._note()
+
+    @contextmanager
+    def blaming(self) -> Iterator[None]:
+        """Where a fault ends what is within, it is said at once if code of ours was replaced: that is its cause."""
+        try:
+            yield
+        except Exception:
+            self.look()
+            raise
 
     def _ring(self, _signal: int, _frame: FrameType | None) -> None:
         self.look()

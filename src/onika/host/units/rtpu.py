@@ -249,7 +249,8 @@ def main(words: list[str]) -> None:
     rtpu.code_watch.begin()
     heartbeat.beat()  # before it is said to be up: from then on silence counts
     post.send(encode([UnitReady(granted)]))
-    rtpu.run()
+    with rtpu.code_watch.blaming():
+        rtpu.run()
 
 
 if __name__ == "__main__":
