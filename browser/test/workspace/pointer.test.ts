@@ -1,6 +1,6 @@
-// What buttons and keys mean in the workspace, row by row of table B.4.
+// What buttons mean in the workspace, row by row of table B.4.
 import { beforeEach, describe, expect, test, vi } from 'vitest'
-import type { AnyAct, StepView } from '../../src/api.gen'
+import type { AnyAct } from '../../src/api.gen'
 
 const { sent, answers } = vi.hoisted(() => {
   vi.stubGlobal('navigator', { language: 'en' })
@@ -15,15 +15,14 @@ vi.mock('../../src/link/link', () => ({
 
 const { Refusal } = await import('../../src/link/refusal')
 const { plain } = await import('../../src/texts/say')
-const { desk, fullTree } = await import('../../src/link/desk.svelte')
-const { closeDialog, dialogs } = await import('../../src/state/dialogs.svelte')
-const { look } = await import('../../src/state/look.svelte')
+const { desk } = await import('../../src/link/desk.svelte')
+const { dialogs } = await import('../../src/state/dialogs.svelte')
 const { pickSteps, workspace } = await import('../../src/state/workspace.svelte')
 const { workspaceState } = await import('../../src/workspace/workspaceState.svelte')
 const { PointerGestures } = await import('../../src/workspace/pointer')
-const { keyDown } = await import('../../src/workspace/keys')
 const { askForOther, exchange, paste, replaceable } = await import('../../src/workspace/acts')
 const { slotAt } = await import('../../src/workspace/slot')
+const { openProgram } = await import('./openProgram')
 
 /** Something in the workspace that a pointer may be over. */
 class Thing extends (Element as unknown as new () => object) {
@@ -68,55 +67,10 @@ function drag(step: number, to: number, more: Partial<PointerEvent> = {}): void 
   hand.move(event(over(step), { ...there, ...more }))
   hand.up(event(over(step), { ...there, ...more }))
 }
-const press = (key: string, more: Partial<KeyboardEvent> = {}): boolean => keyDown({ key, ...more } as KeyboardEvent)
 const settled = (): Promise<void> => new Promise((done) => setTimeout(done))
 
-const job = (name: string, right: string): StepView => ({
-  name,
-  role: 'job',
-  type: 'job',
-  left: '0',
-  right,
-  description: name,
-})
-const target: StepView = { name: 'home', role: 'target', type: 'object', left: '1', right: '0', is_joined: true }
-const STEPS: Record<string, StepView> = { 1: job('open', '0'), 2: job('turn', '1'), 3: target, 4: job('close', '0') }
-
 beforeEach(() => {
-  vi.stubGlobal('document', { elementFromPoint: () => null, activeElement: null })
-  desk.tree = fullTree({
-    applications: {
-      a1: { name: 'one', order: 0, steps: STEPS, flows: { 0: { steps: [1, 2, 3, 4], start: '0', end: '0' } } },
-    },
-    onikons: {
-      open: {
-        type: 'job',
-        role: 'job',
-        order: 0,
-        dictionary: '',
-        left: '0',
-        right: '0',
-        picture: '',
-        source: '/b/conf/open.conf',
-      },
-      turn: {
-        type: 'job',
-        role: 'job',
-        order: 0,
-        dictionary: '',
-        left: '0',
-        right: '1',
-        picture: '',
-        source: '/b/conf/turn.conf',
-      },
-    },
-  })
-  look.level = 'applications'
-  Object.assign(workspace, { app: 'a1', onikon: '', place: { flow: '0', after: 0 } })
-  closeDialog()
-  pickSteps()
-  Object.assign(workspaceState, { width: 1000, height: 600, top: 0, hasKeys: true })
-  workspaceState.close()
+  openProgram()
   sent.length = 0
   answers.clear()
 })
@@ -369,44 +323,4 @@ describe('the right button', () => {
 test('a double click edits', () => {
   hand.double(event(over(3), at(3)) as unknown as MouseEvent)
   expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
-})
-
-describe('keys', () => {
-  test('move the cursor; what is selected alone goes along', () => {
-    // R-X11
-    press('ArrowRight')
-    press('ArrowRight')
-    expect(workspace.place).toEqual({ flow: '0', after: 2 })
-    expect(workspace.steps.size).toBe(0)
-    press(' ')
-    press('ArrowRight')
-    expect([...workspace.steps]).toEqual([3])
-    press('Home')
-    expect(workspace.place.after).toBe(0)
-    press('End')
-    expect(workspace.place.after).toBe(4)
-  })
-
-  test('with Shift select more', () => {
-    // R-X11
-    press('ArrowRight')
-    press('ArrowRight', { shiftKey: true })
-    press('ArrowRight', { shiftKey: true })
-    expect([...workspace.steps]).toEqual([1, 2, 3])
-  })
-
-  test('begin a search by a letter, where nothing is selected', () => {
-    // R-X11
-    press('o')
-    expect(workspaceState.opened).toEqual({ kind: 'quick', words: 'o' })
-  })
-
-  test('of table B.4 stay what they are there', () => {
-    // R-G04
-    click(2)
-    expect(press('c')).toBe(false)
-    click(0)
-    expect(press('v')).toBe(false)
-    expect(workspaceState.opened.kind).toBe('')
-  })
 })
