@@ -80,3 +80,11 @@ def answer_of(text: str) -> tuple[str, str, str]:
     if not (equals and dot and task and name):
         raise argparse.ArgumentTypeError(say(Reason.of("cli.answer_expected", text=text)))
     return task, name, values.replace(",", " ").strip()
+
+
+def joined_answers(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
+    """One line of values for each input, in the order in which they were given."""
+    lines: dict[tuple[str, str], list[str]] = {}
+    for task, name, values in answers:
+        lines.setdefault((task, name), []).append(values)
+    return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())

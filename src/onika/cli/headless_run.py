@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
+from onika.cli.argument_kinds import joined_answers
 from onika.cli.language import say
 from onika.cli.lines.json_lines import JsonLines
 from onika.cli.plain_display import PlainDisplay
@@ -134,11 +135,3 @@ def _places(given: argparse.Namespace) -> tuple[tuple[str, RuntimeLocation], ...
 def _token_of(flow: str, given: argparse.Namespace) -> str:
     tokens = dict(given.tokens)
     return str(tokens.get(flow, tokens.get("", "")))
-
-
-def joined_answers(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
-    """One line of values for each input, in the order in which they were given."""
-    lines: dict[tuple[str, str], list[str]] = {}
-    for task, name, values in answers:
-        lines.setdefault((task, name), []).append(values)
-    return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())

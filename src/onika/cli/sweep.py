@@ -9,8 +9,14 @@ from pathlib import Path
 
 import msgspec
 
-from onika.cli.argument_kinds import answer_of, directory, expectation_of, redirect_of, seconds_of
-from onika.cli.headless_run import joined_answers
+from onika.cli.argument_kinds import (
+    answer_of,
+    directory,
+    expectation_of,
+    joined_answers,
+    redirect_of,
+    seconds_of,
+)
 from onika.cli.language import say
 from onika.cli.search_path import site_here
 from onika.desk.plan.preparation import PreparedRun, prepare_run
