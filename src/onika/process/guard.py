@@ -37,7 +37,8 @@ LAST_WORDS_S = 0.7
 """So long those whom a runtime leaves behind have to end by themselves: one of them finishes a recording."""
 WORK_S = 1.4
 """And so long while one of them is at work: the last half minute of a run is written on a machine that is busy."""
-_LOOK_S = 0.05
+_LOOK_S, _FIRST_LOOK_S = 0.05, 0.003
+"""How long it waits before it looks again whether somebody is left; at first, when most just end, less."""
 _USUAL = (signal.SIGPIPE, signal.SIGXFSZ)
 """Signals that Python ignores, and no program that it starts does."""
 _AT_WORK = frozenset((b"R", b"D"))
@@ -169,7 +170,7 @@ def end_family(grace_s: float, asked_s: float, work_s: float = 0.0) -> None:
     for signum, patience_s in ((0, grace_s), (signal.SIGTERM, asked_s), (signal.SIGKILL, ENDED_S)):
         dead: set[int] | None = None
         told: set[int] = set()
-        begin = monotonic()
+        look_s, begin = _FIRST_LOOK_S, monotonic()
         while True:
             states = family()
             living = {pid: state for pid, state in states.items() if state != b"Z"}
@@ -183,7 +184,8 @@ def end_family(grace_s: float, asked_s: float, work_s: float = 0.0) -> None:
             is_at_work = not signum and not _AT_WORK.isdisjoint(living.values())
             if monotonic() - begin > (max(patience_s, work_s) if is_at_work else patience_s):
                 break
-            select.select([], [], [], _LOOK_S)
+            select.select([], [], [], look_s)
+            look_s = min(2 * look_s, _LOOK_S)
 
 
 def tell(processes: Iterable[int], signum: int) -> None:
