@@ -1,10 +1,9 @@
 """A hop in C by the same calls of the system: what of Onika's hop is the kernel's."""
 
 import subprocess
-import tempfile
 from pathlib import Path
 
-from beside.compiler import compiler
+from beside.compiler import built
 from beside.contestant import Figures, serve
 from beside.hop.vector import WARM_UP, figures
 
@@ -13,17 +12,13 @@ SOURCE = Path(__file__).with_name("hop.c")
 
 def main() -> None:
     """The contestant."""
-    with tempfile.TemporaryDirectory() as folder:
-        program = Path(folder) / "hop"
-        made = compiler()
-        subprocess.run([made, "-O2", "-Wall", "-Wextra", "-o", program, SOURCE], check=True)
-        said = subprocess.run([made, "--version"], capture_output=True, text=True, check=True).stdout
+    with built(SOURCE) as (program, version):
 
         def measure(count: int) -> Figures:
             ran = subprocess.run([program, str(WARM_UP), str(count)], capture_output=True, text=True, check=True)
             return figures([int(line) / 1e3 for line in ran.stdout.split()])
 
-        serve(said.splitlines()[0], measure)
+        serve(version, measure)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,9 @@
 """A loop in C that sleeps to the same grid with `clock_nanosleep` and TIMER_ABSTIME, scheduled as Onika's unit is."""
 
 import subprocess
-import tempfile
 from pathlib import Path
 
-from beside.compiler import compiler
+from beside.compiler import built
 from beside.contestant import Figures, serve
 from beside.punctuality.lateness import PERIOD_NS, figures, is_fifo_granted
 from onika.host.processes.realtime_scheduling import PRIORITY
@@ -14,11 +13,7 @@ SOURCE = Path(__file__).with_name("loop.c")
 
 def main() -> None:
     """The contestant."""
-    with tempfile.TemporaryDirectory() as folder:
-        program = Path(folder) / "loop"
-        made = compiler()
-        subprocess.run([made, "-O2", "-Wall", "-Wextra", "-o", program, SOURCE], check=True)
-        said = subprocess.run([made, "--version"], capture_output=True, text=True, check=True).stdout
+    with built(SOURCE) as (program, version):
         priority = PRIORITY if is_fifo_granted() else 0
 
         def measure(milliseconds: int) -> Figures:
@@ -27,7 +22,7 @@ def main() -> None:
             late = [int(line) for line in ran.stdout.split()]
             return figures(late, sum(one // PERIOD_NS for one in late))
 
-        serve(said.splitlines()[0], measure)
+        serve(version, measure)
 
 
 if __name__ == "__main__":
